@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Flags that every target of the project shares, and the two kinds of targets.
+
+add_library(ogive_flags INTERFACE)
+target_include_directories(ogive_flags INTERFACE ${PROJECT_SOURCE_DIR})
+target_link_libraries(ogive_flags INTERFACE Eigen3::Eigen)
+target_compile_options(ogive_flags INTERFACE -std=c++20 -Wall -Wextra -Wpedantic -fno-math-errno)
+target_compile_options(ogive_flags INTERFACE $<$<CONFIG:Release>:-O3>)
+if(OGIVE_NATIVE)
+  target_compile_options(ogive_flags INTERFACE -march=native)
+endif()
+if(OGIVE_SANITIZE)
+  target_compile_options(ogive_flags INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer)
+  target_link_options(ogive_flags INTERFACE -fsanitize=address,undefined)
+endif()
+
+# deal.II first: its flags name an older standard, ours come later and win.
+function(ogive_use_dealii target)
+  deal_ii_setup_target(${target})
+  target_compile_options(${target} PRIVATE -std=c++20)
+endfunction()
+
+# ogive_library(NAME SOURCES a.cc ... [LINK lib ...] [DEALII])
+function(ogive_library name)
+  cmake_parse_arguments(A "DEALII" "" "SOURCES;LINK" ${ARGN})
+  add_library(${name} STATIC ${A_SOURCES})
+  target_link_libraries(${name} PUBLIC ogive_flags ${A_LINK})
+  if(A_DEALII)
+    ogive_use_dealii(${name})
+  endif()
+endfunction()
+
+# ogive_test(NAME SOURCES a.cc ... LINK lib ... [DEALII] [LABELS l ...] [TIMEOUT s])
+# One executable of GoogleTest cases, each case its own ctest.
+function(ogive_test name)
+  cmake_parse_arguments(A "DEALII" "TIMEOUT" "SOURCES;LINK;LABELS" ${ARGN})
+  if(NOT A_TIMEOUT)
+    set(A_TIMEOUT 300)
+  endif()
+  add_executable(${name} ${A_SOURCES})
+  target_link_libraries(${name} PRIVATE ogive_flags ${A_LINK} GTest::gtest GTest::gtest_main)
+  target_compile_definitions(${name} PRIVATE OGIVE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  if(A_DEALII)
+    ogive_use_dealii(${name})
+  endif()
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60
+    PROPERTIES LABELS "${A_LABELS}" TIMEOUT ${A_TIMEOUT})
+endfunction()

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstddef>
+#include <new>
+#include <vector>
+
+namespace ogive
+{
+/// Allocates on cache-line boundaries, so that a structure-of-arrays member
+/// can be read by whole registers.
+template <class T>
+struct AlignedAllocator
+{
+  using value_type = T;
+  static constexpr std::align_val_t alignment{64};
+
+  AlignedAllocator() = default;
+  template <class U>
+  AlignedAllocator(const AlignedAllocator<U> &)
+  {}
+
+  T *allocate(std::size_t n)
+  {
+    return static_cast<T *>(::operator new(n * sizeof(T), alignment));
+  }
+  void deallocate(T *p, std::size_t) { ::operator delete(p, alignment); }
+
+  template <class U>
+  bool operator==(const AlignedAllocator<U> &) const
+  {
+    return true;
+  }
+};
+
+template <class T>
+using AlignedVector = std::vector<T, AlignedAllocator<T>>;
+} // namespace ogive

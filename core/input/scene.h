@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "core/base/tensor.h"
+#include "core/materials/parameters.h"
+
+#include <limits>
+#include <string>
+#include <vector>
+
+/// A scene as plain numbers, SI. Filled by the reader (core/input/reader.h), or
+/// by hand in a test. Nothing here knows ParameterHandler.
+namespace ogive::input
+{
+enum class Dimension
+{
+  uniaxial,      ///< x; per square metre; strain only along x
+  plane_strain,  ///< x, y; per metre of thickness
+  axisymmetric,  ///< x = r, y = z (axis); whole ring
+  three_d
+};
+int space_dimension(Dimension); ///< 1, 2, 2, 3
+
+enum class Method
+{
+  fem,
+  sph
+};
+
+enum class Nose
+{
+  blunt,
+  hemispherical,
+  conical,
+  ogive
+};
+
+enum class ShapeKind
+{
+  box,      ///< lower, upper
+  cylinder, ///< base, axis, radius, length (without the nose), nose, nose_length; the nose points along +axis
+  disc,     ///< a cylinder without nose: base, axis, radius, length = thickness; in plane strain a circle about base
+  ring,     ///< base, axis, inner_radius, radius, length; in plane strain an annulus about base
+  sphere,   ///< base = centre, radius
+  shell,    ///< base = centre, inner_radius, radius
+  mesh      ///< mesh_file
+};
+
+struct Shape
+{
+  ShapeKind   kind = ShapeKind::box;
+  Vec3        lower = Vec3::Zero(), upper = Vec3::Zero();
+  Vec3        base = Vec3::Zero(), axis = Vec3::UnitZ();
+  double      radius = 0, inner_radius = 0, length = 0;
+  Nose        nose        = Nose::blunt;
+  double      nose_length = 0;
+  std::string mesh_file;
+};
+
+struct Body
+{
+  std::string name;
+  Shape       shape;
+  std::string material; ///< a name in Scene::materials
+  Method      method  = Method::fem;
+  double      spacing = 0; ///< particle spacing (sph) or target element edge (fem), m
+  /// fem: element edge at the outer radius of a disc or ring, or far end of the
+  /// grading; 0: as `spacing`.
+  double spacing_far = 0;
+  Vec3   velocity    = Vec3::Zero(); ///< m/s
+  Vec3   spin        = Vec3::Zero(); ///< rad/s about the centre of mass
+  /// Initial velocity field beyond translation and spin; empty for none:
+  /// "radial-inverse" (cylinder, v = speed R/r), "radial-inverse-square"
+  /// (sphere), "twist", "bend", "bending-mode". Issue-specific scenes add to it.
+  std::string velocity_field;
+  double      velocity_field_speed = 0;
+};
+
+/// Keeps the half x_axis >= 0 of everything.
+struct SymmetryPlane
+{
+  int axis = 0;
+};
+
+/// A flat rigid wall. Material stays on the side that `normal` points to.
+struct RigidWall
+{
+  std::string name;
+  Vec3        point = Vec3::Zero(), normal = Vec3::UnitX(); ///< normal: unit vector into the material
+  Vec3        velocity = Vec3::Zero();                       ///< m/s, constant
+  double      friction = 0;                                  ///< Coulomb coefficient
+};
+
+enum class BoundaryKind
+{
+  fixed,
+  velocity, ///< prescribed constant velocity, components marked by `fix`
+  pressure  ///< constant pressure, meshes only, Pa
+};
+
+struct Boundary
+{
+  std::string  name, body;
+  std::string  face; ///< "x-", "x+", "y-", ... (box); "bottom", "top", "side", "inner", "outer" (round shapes); "all"; or a boundary id of a mesh file
+  BoundaryKind kind     = BoundaryKind::fixed;
+  Vec3         velocity = Vec3::Zero();
+  bool         fix[3]   = {true, true, true};
+  double       pressure = 0;
+};
+
+struct Interface
+{
+  std::string name;
+  std::string method = "tied";
+  std::string particles, mesh; ///< bodies
+};
+
+struct Contact
+{
+  std::string name;
+  std::string first, second; ///< bodies
+  double      friction = 0;
+  double      stiffness = .1; ///< penalty k = stiffness m_eff/dt^2, <= .1
+};
+
+enum class ReferenceKind
+{
+  exact,
+  code,
+  test,
+  memory
+};
+
+struct Observer
+{
+  std::string name;     ///< also the quantity's name in summary.json, unless `quantity` says otherwise
+  std::string quantity; ///< snake_case, e.g. "final_length"
+  std::string body;
+  Vec3        direction = Vec3::UnitX(); ///< axis along which it measures
+  Vec3        point     = Vec3::Zero();  ///< gauges
+  double      parameter = 0;             ///< per quantity, e.g. a threshold stress, Pa
+  bool        has_reference = false;
+  double      reference     = 0;
+  std::string reference_unit;
+  ReferenceKind kind = ReferenceKind::memory;
+  std::string   source;
+};
+
+/// SPH choices for the whole scene.
+struct SphOptions
+{
+  std::string form       = "corrected"; ///< "standard", "corrected"
+  std::string kernel     = "cubic";     ///< "cubic", "wendland-c2"
+  double      h_over_dx  = 1.3;
+  std::string viscosity  = "monaghan";
+  double      alpha      = 1, beta = 2;
+  std::string correction = "pairwise";  ///< "none", "pairwise"
+  double      correction_support = 1;   ///< s = h_c/h
+  double      hourglass  = .2;          ///< coefficient z of numerics.md section 2
+  double      step_factor = .7;         ///< share of the stability bound
+};
+
+struct FemOptions
+{
+  std::string element           = "one-point";
+  std::string hourglass         = "stiffness"; ///< "stiffness", "viscous"
+  double      hourglass_coefficient = .05;
+  double      bulk_quadratic    = 1.5, bulk_linear = .06;
+  double      step_factor       = .9;
+};
+
+struct StopRule
+{
+  bool        active = false;
+  std::string body;                 ///< the projectile
+  double      tolerance = .005;     ///< relative change of its velocity over the window
+  double      window    = 0;        ///< s
+};
+
+struct Limits
+{
+  double energy_drift = .05; ///< relative; a run beyond it stops with the culprit named
+  double smallest_step_ratio = 1e-3; ///< of the first step
+};
+
+struct Output
+{
+  double history_interval    = 0; ///< s
+  double field_interval      = 0; ///< s; 0: first and last state only
+  double checkpoint_interval = 0; ///< s; 0: last state only
+};
+
+struct Scene
+{
+  std::string                        name, title, file;
+  Dimension                          dimension = Dimension::three_d;
+  double                             end_time  = 0; ///< s
+  std::vector<materials::Parameters> materials;
+  std::vector<Body>                  bodies;
+  std::vector<SymmetryPlane>         symmetry;
+  std::vector<RigidWall>             walls;
+  std::vector<Boundary>              boundaries;
+  std::vector<Interface>             interfaces;
+  std::vector<Contact>               contacts;
+  std::vector<Observer>              observers;
+  SphOptions                         sph;
+  FemOptions                         fem;
+  StopRule                           stop;
+  Limits                             limits;
+  Output                             output;
+};
+} // namespace ogive::input

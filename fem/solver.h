@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "core/base/balance.h"
+#include "core/base/culprit.h"
+#include "core/base/sample.h"
+#include "core/base/surface.h"
+#include "core/input/scene.h"
+#include "core/io/archive.h"
+#include "core/materials/material.h"
+#include "core/time/time_step.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace ogive::fem
+{
+template <int dim>
+struct BodyMesh; // fem/mesh.h: a body's triangulation reduced to arrays
+
+/// What the solver needs from the scene.
+struct Parameters
+{
+  input::FemOptions                 options;
+  bool                              axisymmetric = false; ///< dim 2: x = r, y = z
+  std::vector<input::SymmetryPlane> symmetry;
+  std::vector<input::RigidWall>     walls;
+  std::vector<input::Boundary>      boundaries;
+  std::vector<int>                  boundary_bodies; ///< Scene::bodies index of each boundary
+};
+
+/// Explicit finite elements: lumped mass, central differences, one-point
+/// elements with Flanagan-Belytschko hourglass control.
+template <int dim>
+class Solver
+{
+public:
+  Solver(const Parameters &, std::vector<BodyMesh<dim>>);
+  ~Solver();
+
+  StepLimit     stable_dt() const;
+  Surface<dim>  surface();
+  StepStatus    step(const TimeStep &);
+  Balance       balance() const;
+  void          snapshot();
+  void          restore();
+  void          save(ArchiveWriter &, const std::string &prefix) const;
+  void          load(const ArchiveReader &, const std::string &prefix);
+  Sample        sample(int body) const;
+  std::size_t   size() const;
+  std::uint64_t updates() const;
+
+  /// The inertia of a tied particle joins the nodes that carry it. Once, before the first step.
+  void add_mass(std::uint32_t node, double mass);
+  /// Nodes of the element behind a facet, for the tied interface: shape
+  /// functions of that element at parametric point xi in [-1,1]^dim (and a
+  /// little outside), and the inverse map of a point near the element.
+  struct Embedding
+  {
+    static constexpr int                      n_nodes = 1 << dim;
+    std::array<std::uint32_t, n_nodes>        node;
+    std::array<double, n_nodes>               weight; ///< sum 1, sum weight * x = the point
+  };
+  /// Finds weights of the element with which `point` moves; false if Newton's
+  /// method does not converge or |xi| > 1 + reach for all xi.
+  bool embed(std::uint32_t element, const std::array<double, dim> &point, double reach, Embedding &) const;
+
+  /// Normal force sum that rigid wall `w` gave in the last step, N (into the material).
+  double wall_force(std::size_t w) const;
+
+private:
+  struct Implementation;
+  std::unique_ptr<Implementation> self_;
+};
+} // namespace ogive::fem

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "core/base/balance.h"
+#include "core/base/culprit.h"
+#include "core/base/sample.h"
+#include "core/base/surface.h"
+#include "core/input/scene.h"
+#include "core/io/archive.h"
+#include "core/materials/material.h"
+#include "core/time/time_step.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace ogive::sph
+{
+/// Particles of one body as laid out at t = 0 (sph/fill.h makes them).
+template <int dim>
+struct BodyParticles
+{
+  int                                     body = 0;      ///< index into Scene::bodies
+  std::shared_ptr<const materials::Material> material;
+  double                                  spacing = 0;   ///< m
+  std::vector<std::array<double, dim>>    x, v;          ///< m, m/s
+  std::vector<double>                     mass;          ///< kg
+};
+
+/// What the solver needs from the scene.
+struct Parameters
+{
+  input::SphOptions                  options;
+  std::vector<input::SymmetryPlane>  symmetry;
+  std::vector<input::RigidWall>      walls;
+  std::vector<input::Boundary>       boundaries; ///< fixed and velocity, by Boundary::body through `boundary_bodies`
+  std::vector<int>                   boundary_bodies;
+};
+
+/// Smoothed particle hydrodynamics of solids, total set of bodies of a scene.
+/// Bodies do not feel each other here: contact belongs to the coupling layer.
+template <int dim>
+class Solver
+{
+public:
+  Solver(const Parameters &, std::vector<BodyParticles<dim>>);
+  ~Solver();
+
+  StepLimit     stable_dt() const;
+  Surface<dim>  surface();
+  StepStatus    step(const TimeStep &);
+  Balance       balance() const;
+  void          snapshot();
+  void          restore();
+  void          save(ArchiveWriter &, const std::string &prefix) const;
+  void          load(const ArchiveReader &, const std::string &prefix);
+  Sample        sample(int body) const;
+  std::size_t   size() const;
+  std::uint64_t updates() const;
+
+  /// Tied slaves. The coupler names the particles (by Surface::id) once; before
+  /// each step it gives their velocities at t_{n+1/2}, in the order of the ids.
+  /// A slave's inertia counts in the mesh: it is left out of balance() (mass,
+  /// momentum, kinetic energy; its internal energy stays).
+  void set_slaves(std::span<const std::int64_t> ids);
+  void drive_slaves(const std::array<std::span<const double>, dim> &velocity);
+  /// Force on each slave at t_n (internal plus Surface::force), same order.
+  void slave_forces(const std::array<std::span<double>, dim> &force) const;
+  /// Present index of each particle id (particles are reordered as they move).
+  std::span<const std::uint32_t> index_of_id() const;
+
+  /// Normal force sum that rigid wall `w` gave in the last step, N (into the material).
+  double wall_force(std::size_t w) const;
+
+private:
+  struct Implementation;
+  std::unique_ptr<Implementation> self_;
+};
+} // namespace ogive::sph
