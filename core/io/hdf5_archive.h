@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "core/io/archive.h"
+
+#include <memory>
+
+namespace ogive::io
+{
+namespace hdf5
+{
+class File;
+}
+
+/// Raised when the contents of a checkpoint change their meaning.
+inline constexpr std::int64_t checkpoint_version = 1;
+
+/// Writes a checkpoint file. It gets its name at commit(): a run that is
+/// killed leaves no half-written checkpoint under that name, and a writer that
+/// goes away without commit() leaves nothing. Equal contents written in the
+/// same order give equal bytes. Throws RunError when the file cannot be written.
+class Hdf5ArchiveWriter final : public ArchiveWriter
+{
+public:
+  explicit Hdf5ArchiveWriter(const std::string &path);
+  ~Hdf5ArchiveWriter() override;
+  Hdf5ArchiveWriter(const Hdf5ArchiveWriter &)            = delete;
+  Hdf5ArchiveWriter &operator=(const Hdf5ArchiveWriter &) = delete;
+
+  using ArchiveWriter::write;
+  void write(const std::string &name, std::span<const double> values) override;
+  void write(const std::string &name, std::span<const std::int64_t> values) override;
+  void write_text(const std::string &name, const std::string &text);
+
+  void commit();
+
+private:
+  std::string                 path_, temporary_;
+  std::unique_ptr<hdf5::File> file_; ///< empty once committed
+};
+
+/// Reads a checkpoint file. Throws InputError with the file's name when it is
+/// missing, cut short, not a checkpoint, or of another version.
+class Hdf5ArchiveReader final : public ArchiveReader
+{
+public:
+  explicit Hdf5ArchiveReader(const std::string &path);
+  ~Hdf5ArchiveReader() override;
+
+  bool                      contains(const std::string &name) const;
+  std::vector<double>       doubles(const std::string &name) const override;
+  std::vector<std::int64_t> integers(const std::string &name) const override;
+  std::string               text(const std::string &name) const;
+
+private:
+  [[noreturn]] void missing(const std::string &name, const std::string &expected) const;
+
+  std::unique_ptr<hdf5::File> file_;
+};
+} // namespace ogive::io
