@@ -30,6 +30,7 @@ struct Balance
   double wall_loss           = 0; ///< kinetic energy lost as nodes land on rigid walls
   double friction_heat       = 0; ///< slip on rigid walls
   double absorbed            = 0; ///< left through absorbing boundaries
+  double thermal             = 0; ///< memo: share of plastic_work that became heat (Taylor-Quinney)
 
   double internal() const
   {
@@ -53,6 +54,7 @@ struct Balance
     wall_loss += b.wall_loss;
     friction_heat += b.friction_heat;
     absorbed += b.absorbed;
+    thermal += b.thermal;
     return *this;
   }
 };

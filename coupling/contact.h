@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "core/io/archive.h"
+#include "core/time/time_step.h"
+#include "coupling/contact_pair.h"
+#include "coupling/surfaces.h"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace ogive::coupling
+{
+/// What contact did to the energy so far. The work of the contact forces is
+/// taken with the mean velocities over each kick, as the solvers take theirs:
+///   taken = stored + friction_heat + loss,
+/// where `loss` is what neither the springs nor friction account for: contacts
+/// that open and close between two steps, and turning normals. J.
+struct ContactEnergy
+{
+  double taken         = 0; ///< minus the work done on the bodies
+  double stored        = 0; ///< in the springs at t_{n+1/2}: sum 1/2 k g_n g_{n+1}, normal and tangential
+  double friction_heat = 0;
+  double work[2]       = {0, 0}; ///< on the points of each party
+  double loss() const { return taken - stored - friction_heat; }
+};
+
+/// Bodies that already overlap at the start. Healed: their gap then counts as
+/// zero until it opens.
+struct InitialOverlap
+{
+  std::string contact;
+  std::size_t count = 0;
+  double      worst = 0; ///< m
+  Vec3        where = Vec3::Zero();
+};
+
+/// Penalty contact with Coulomb friction between the pairs of bodies of a
+/// scene. A node or particle touches the nearest point of the other body's
+/// surface, or another particle; the force is k times the penetration along the
+/// line to that point, so the potential 1/2 k g^2 of the distance function is
+/// conservative. k = stiffness m_eff/dt_ref^2 stays as it was when the contact
+/// began. Two meshes: each one's nodes against the other's facets, at half
+/// stiffness. Friction acts at the points themselves: the couple
+/// (penetration or radius) x friction force is not taken up by rotation.
+///
+/// A contact keeps the side it came from: facets that face away from its last
+/// normal are not its own, so a point pressed deep into a thin body is not
+/// thrown out of the other side. Deeper than two facets it is given up and
+/// counted in lost().
+template <int dim>
+class ContactSet
+{
+public:
+  /// `reference_dt`: the step that sets the stiffness, s. `step_share`: share of
+  /// the leapfrog's limit that the solvers use; contact may have the rest.
+  ContactSet(std::vector<ContactSpec> specs, std::vector<int> symmetry_axes, double reference_dt,
+             double step_share);
+
+  /// Measures sizes and heals overlaps at t = 0, once. InputError if bodies
+  /// overlap by more than half a spacing.
+  void start(const Faces<dim> &);
+  /// Finds the contacts at x(t_n) and adds their forces to Faces::force.
+  void gather(Faces<dim> &);
+  /// Books the step just made, from the velocities before and after it.
+  void close(const Faces<dim> &, const TimeStep &);
+
+  /// Bound from the stiffness of all contacts of a point against its mass
+  /// (Gershgorin rows, as of the last gather). Elements and particles use
+  /// step_share of the leapfrog's limit, (w dt)^2/4 <= step_share^2, and contact
+  /// has the rest, so the sum of both stays stable.
+  StepLimit stable_dt() const { return state_.limit; }
+
+  const ContactEnergy               &energy() const { return state_.energy; }
+  const std::vector<InitialOverlap> &initial_overlaps() const { return overlaps_; }
+  std::size_t                        active() const;
+  /// Contacts given up because the point had gone too deep.
+  std::int64_t lost() const { return state_.lost; }
+  /// Force on body `a` by body `b` at the last gather, N.
+  Vec3 force(int a, int b) const;
+  /// Sum of |force| kick over all contacts and steps, N s: the scale for momentum.
+  double impulse() const { return state_.impulse; }
+
+  void snapshot() { kept_ = state_; }
+  void restore();
+  void save(ArchiveWriter &, const std::string &prefix) const;
+  void load(const ArchiveReader &, const std::string &prefix);
+
+private:
+  using Record = ContactRecord<dim>;
+  struct State
+  {
+    std::vector<Record> records; ///< by ascending key
+    ContactEnergy       energy;
+    double              impulse = 0;
+    std::int64_t        lost    = 0;
+    StepLimit           limit;
+  };
+
+  /// Gives a contact found now its lasting properties and its force.
+  void continue_contact(const Faces<dim> &, const ContactPair<dim> &, const Record *old, Record &);
+  void begin_contact(const Faces<dim> &, const ContactPair<dim> &, Record &) const;
+  /// What the springs of a contact that has opened still hold becomes heat.
+  void end_contact(const Record &);
+  void add_forces(Faces<dim> &) const;
+  void limit_step(const Faces<dim> &);
+  void review_overlaps(const Faces<dim> &, const ContactPair<dim> &, std::span<const Record>);
+
+  std::vector<ContactPair<dim>> pairs_;
+  std::vector<int>              symmetry_axes_;
+  double                        reference_dt_, step_share_;
+  std::vector<InitialOverlap>   overlaps_;
+  State                         state_, kept_;
+};
+} // namespace ogive::coupling

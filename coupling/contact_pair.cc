@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "coupling/contact_pair.h"
+
+#include <algorithm>
+
+namespace ogive::coupling
+{
+namespace
+{
+// Share of a facet by which points may move before the candidates are sought
+// anew: small enough for short lists, large enough for some ten steps.
+constexpr double skin_share = .25;
+// Depth, in facets, at which a contact is given up.
+constexpr double deepest = 2;
+// Facets turned by more than about 115 degrees from a contact's last normal
+// belong to the far side of the body.
+constexpr double same_side = -.43;
+
+template <int dim>
+double largest_radius(const Faces<dim> &faces, int party, const std::vector<std::uint32_t> &points)
+{
+  double r = 0;
+  for (const std::uint32_t i : points)
+    r = std::max(r, faces.radius(party, i));
+  return r;
+}
+} // namespace
+
+template <int dim>
+ContactPair<dim>::ContactPair(const ContactSpec &spec, bool swapped, std::int64_t index)
+  : spec_(spec)
+  , index_(index)
+  , point_body_(swapped ? spec.second : spec.first)
+  , other_body_(swapped ? spec.first : spec.second)
+  , point_party_(swapped ? spec.second_party : spec.first_party)
+  , other_party_(swapped ? spec.first_party : spec.second_party)
+  , share_(spec.stiffness)
+{
+  if (point_party_ == mesh_party && other_party_ == mesh_party)
+    share_ *= .5;
+}
+
+template <int dim>
+void ContactPair<dim>::measure(const Faces<dim> &faces, const std::vector<int> &symmetry_axes)
+{
+  const double point_size =
+    2 * largest_radius(faces, point_party_, contact_points(faces[point_party_], point_body_));
+  if (other_party_ == particle_party)
+  {
+    size_ = 2 * largest_radius(faces, other_party_, contact_points(faces[other_party_], other_body_));
+  }
+  else
+  {
+    const auto &surface = faces[other_party_];
+    const auto  facets  = true_facets(surface, other_body_, symmetry_axes);
+    Box<dim>    box;
+    for (const auto &facet : facets)
+    {
+      size_ += facet_size(surface, facet) / static_cast<double>(facets.size());
+      for (const std::uint32_t i : facet.node)
+        box.include(faces.position(other_party_, i));
+    }
+    // In one dimension a facet has no edge: the body's length serves. One end
+    // alone (the other tied or on a symmetry plane) has nothing behind it.
+    if (dim == 1)
+      size_ = facets.size() > 1 ? .25 * (box.upper - box.lower)[0] : std::numeric_limits<double>::infinity();
+  }
+  if (dim > 1 || other_party_ == particle_party)
+    size_ = std::max(size_, point_size);
+  max_depth_    = deepest * size_;
+  half_spacing_ = .5 * (point_size > 0 ? std::min(point_size, size_) : size_);
+}
+
+template <int dim>
+std::vector<Point<dim>> ContactPair<dim>::all_positions(const Faces<dim> &faces) const
+{
+  std::vector<Point<dim>> positions;
+  positions.reserve(points_.size() + others_.size());
+  for (const std::uint32_t i : points_)
+    positions.push_back(faces.position(point_party_, i));
+  for (const std::uint32_t i : others_)
+    positions.push_back(faces.position(other_party_, i));
+  return positions;
+}
+
+template <int dim>
+void ContactPair<dim>::update(const Faces<dim> &faces, const std::vector<int> &symmetry_axes)
+{
+  const bool moved_house = !built_ || topology_[0] != faces[0].topology || topology_[1] != faces[1].topology;
+  if (moved_house)
+  {
+    points_ = contact_points(faces[point_party_], point_body_);
+    if (other_party_ == particle_party)
+      others_ = contact_points(faces[other_party_], other_body_);
+    else
+    {
+      facets_ = true_facets(faces[other_party_], other_body_, symmetry_axes);
+      others_.clear();
+      for (const auto &facet : facets_)
+        others_.insert(others_.end(), facet.node.begin(), facet.node.end());
+      std::sort(others_.begin(), others_.end());
+      others_.erase(std::unique(others_.begin(), others_.end()), others_.end());
+    }
+    topology_[0] = faces[0].topology;
+    topology_[1] = faces[1].topology;
+    built_       = true;
+  }
+  auto         positions = all_positions(faces);
+  const double skin      = skin_share * size_;
+  if (!moved_house && !watch_.exceeded(positions, skin))
+    return;
+
+  // Both sides may have moved by the skin before the next search.
+  std::vector<Box<dim>> queries(points_.size()), targets;
+  for (std::size_t q = 0; q < points_.size(); ++q)
+  {
+    const double depth = other_party_ == particle_party ? 0 : max_depth_;
+    queries[q].include(positions[q]);
+    queries[q].inflate(faces.radius(point_party_, points_[q]) + depth + 2 * skin);
+  }
+  if (other_party_ == particle_party)
+    for (const std::uint32_t i : others_)
+    {
+      targets.emplace_back().include(faces.position(other_party_, i));
+      targets.back().inflate(faces.radius(other_party_, i));
+    }
+  else
+    for (const auto &facet : facets_)
+    {
+      targets.emplace_back();
+      for (const std::uint32_t i : facet.node)
+        targets.back().include(faces.position(other_party_, i));
+    }
+  list_.build(queries, targets);
+  watch_.set(std::move(positions));
+}
+
+template <int dim>
+void ContactPair<dim>::nearest(const Faces<dim> &faces, std::size_t query, const Point<dim> *facing,
+                               const Point<dim> *against, Stand<dim> &stand) const
+{
+  const Point<dim> p = faces.position(point_party_, points_[query]);
+  stand              = {};
+  for (const std::uint32_t f : list_.of(query))
+  {
+    std::array<Point<dim>, Facet::n_nodes> corner;
+    Point<dim>                             middle = Point<dim>::Zero();
+    for (int k = 0; k < Facet::n_nodes; ++k)
+    {
+      corner[k] = faces.position(other_party_, facets_[f].node[k]);
+      middle += corner[k] / Facet::n_nodes;
+    }
+    // A facet that lies wholly farther than the best one needs no closer look.
+    if (stand.found)
+    {
+      double reach = 0;
+      for (const auto &c : corner)
+        reach = std::max(reach, (c - middle).squaredNorm());
+      const double least = (p - middle).norm() - std::sqrt(reach);
+      if (least > 0 && least * least > 1.0001 * stand.foot.distance2)
+        continue;
+    }
+    const Foot<dim> foot = foot_on_facet<dim>(p, corner, facets_[f].outward);
+    if (facing && foot.normal.dot(*facing) < same_side)
+      continue;
+    if (against)
+    {
+      Point<dim> approach = *against;
+      for (int k = 0; k < Facet::n_nodes; ++k)
+        approach -= foot.weight[k] * faces.velocity(other_party_, facets_[f].node[k]);
+      if (approach.dot(foot.normal) >= 0)
+        continue;
+    }
+    if (!stand.found || better_foot<dim>(p, foot, stand.foot))
+    {
+      stand.found = true;
+      stand.facet = f;
+      stand.foot  = foot;
+    }
+  }
+  if (stand.found)
+    finish_stand(p, half_spacing_ > 0 ? half_spacing_ : 1., stand);
+}
+
+template <int dim>
+bool ContactPair<dim>::stands(const Faces<dim> &faces, std::size_t query, const Record *old, bool any_side,
+                              Stand<dim> &stand) const
+{
+  const double r = faces.radius(point_party_, points_[query]);
+  nearest(faces, query, old ? &old->normal : nullptr, nullptr, stand);
+  if (!stand.found || stand.distance >= r)
+    return false;
+  if (old || any_side || stand.distance >= 0)
+    return true;
+
+  // A point that is suddenly inside came through a facet it was approaching;
+  // near an edge, or in a thin body, that need not be the nearest one.
+  const Point<dim> velocity = faces.velocity(point_party_, points_[query]);
+  nearest(faces, query, nullptr, &velocity, stand);
+  return stand.found && stand.distance < 0;
+}
+
+template <int dim>
+void ContactPair<dim>::detect_particles(const Faces<dim> &faces, std::size_t query,
+                                        std::vector<Record> &found) const
+{
+  const std::uint32_t i  = points_[query];
+  const Point<dim>    xi = faces.position(point_party_, i);
+  for (const std::uint32_t t : list_.of(query))
+  {
+    const std::uint32_t j     = others_[t];
+    const Point<dim>    line  = xi - faces.position(other_party_, j);
+    const double        far   = line.norm();
+    const double        depth = faces.radius(point_party_, i) + faces.radius(other_party_, j) - far;
+    if (depth <= 0 || far == 0)
+      continue;
+    Record record;
+    record.key       = {index_, faces[point_party_].id[i], faces[other_party_].id[j]};
+    record.normal    = line / far;
+    record.depth     = depth;
+    record.point     = i;
+    record.n         = 1;
+    record.other[0]  = j;
+    record.weight[0] = 1;
+    found.push_back(record);
+  }
+}
+
+template <int dim>
+void ContactPair<dim>::detect(const Faces<dim> &faces, std::span<const Record> old, bool any_side,
+                              std::vector<Record> &found, std::int64_t &lost) const
+{
+  std::size_t o = 0;
+  for (std::size_t q = 0; q < points_.size(); ++q)
+  {
+    if (list_.of(q).empty())
+      continue;
+    if (other_party_ == particle_party)
+    {
+      detect_particles(faces, q, found);
+      continue;
+    }
+    const std::uint32_t i  = points_[q];
+    const std::int64_t  id = faces[point_party_].id[i];
+    while (o < old.size() && old[o].key.point < id)
+      ++o;
+    const Record *before = o < old.size() && old[o].key.point == id ? &old[o] : nullptr;
+    Stand<dim>    stand;
+    if (!stands(faces, q, before, any_side, stand))
+      continue;
+    if (-stand.distance > max_depth_)
+    {
+      lost += before != nullptr;
+      continue;
+    }
+    Record record;
+    record.key    = {index_, id, -1};
+    record.normal = stand.direction;
+    record.depth  = faces.radius(point_party_, i) - stand.distance;
+    record.point  = i;
+    record.n      = Facet::n_nodes;
+    record.other  = facets_[stand.facet].node;
+    record.weight = stand.foot.weight;
+    found.push_back(record);
+  }
+}
+
+template class ContactPair<1>;
+template class ContactPair<2>;
+template class ContactPair<3>;
+} // namespace ogive::coupling

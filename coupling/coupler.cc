@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "coupling/coupler.h"
+
+#include "core/base/error.h"
+
+#include <algorithm>
+
+namespace ogive::coupling
+{
+namespace
+{
+int body_named(const input::Scene &scene, const std::string &name, const std::string &who)
+{
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+    if (scene.bodies[b].name == name)
+      return static_cast<int>(b);
+  throw InputError({scene.file, 0, who}, "there is no body \"" + name + "\"");
+}
+
+Party party_of(const input::Scene &scene, int body)
+{
+  return scene.bodies[body].method == input::Method::sph ? particle_party : mesh_party;
+}
+
+/// Cuts of the model: symmetry planes and the axis of rotation.
+std::vector<int> cut_axes(const input::Scene &scene)
+{
+  std::vector<int> axes;
+  for (const auto &plane : scene.symmetry)
+    axes.push_back(plane.axis);
+  if (scene.dimension == input::Dimension::axisymmetric)
+    axes.push_back(0);
+  return axes;
+}
+} // namespace
+
+template <int dim>
+Coupler<dim>::Coupler(const input::Scene &scene, std::unique_ptr<MeshPort<dim>> mesh,
+                      std::unique_ptr<ParticlePort<dim>> particles)
+  : mesh_(std::move(mesh))
+  , particles_(std::move(particles))
+{
+  build_interfaces(scene);
+  build_contacts(scene);
+}
+
+template <int dim>
+Coupler<dim>::~Coupler() = default;
+
+template <int dim>
+void Coupler<dim>::build_interfaces(const input::Scene &scene)
+{
+  for (const auto &entry : scene.interfaces)
+  {
+    InterfaceSpec spec;
+    spec.name          = entry.name;
+    spec.method        = entry.method;
+    spec.particle_body = entry.particles;
+    spec.mesh_body     = entry.mesh;
+    spec.particles     = body_named(scene, entry.particles, entry.name);
+    spec.mesh          = body_named(scene, entry.mesh, entry.name);
+    spec.symmetry_axes = cut_axes(scene);
+    if (party_of(scene, spec.particles) != particle_party || party_of(scene, spec.mesh) != mesh_party)
+      throw InputError({scene.file, 0, entry.name},
+                       "an interface joins a body of particles and a body of elements",
+                       "\"" + entry.particles + "\" with method sph and \"" + entry.mesh +
+                         "\" with method fem");
+    require(mesh_ && particles_, "an interface needs both solvers");
+    interfaces_.push_back(make_interface(spec, *mesh_, *particles_, slaves_));
+    interface_names_.push_back(entry.name);
+  }
+  if (!slaves_.id.empty())
+    particles_->set_slaves(slaves_.id);
+}
+
+template <int dim>
+void Coupler<dim>::build_contacts(const input::Scene &scene)
+{
+  std::vector<ContactSpec> specs;
+  for (const auto &entry : scene.contacts)
+  {
+    ContactSpec spec;
+    spec.name         = entry.name;
+    spec.first        = body_named(scene, entry.first, entry.name);
+    spec.second       = body_named(scene, entry.second, entry.name);
+    spec.first_party  = party_of(scene, spec.first);
+    spec.second_party = party_of(scene, spec.second);
+    spec.friction     = entry.friction;
+    spec.stiffness    = entry.stiffness;
+    if (spec.first == spec.second)
+      throw InputError({scene.file, 0, entry.name}, "body \"" + entry.first + "\" cannot touch itself",
+                       "two different bodies");
+    if (!(entry.stiffness > 0 && entry.stiffness <= .1))
+      throw InputError({scene.file, 0, entry.name},
+                       "contact stiffness " + std::to_string(entry.stiffness) + " is out of range",
+                       "more than 0 and at most .1, so that contact does not set the step");
+    if (!(entry.friction >= 0))
+      throw InputError({scene.file, 0, entry.name}, "negative friction", "a coefficient >= 0");
+    specs.push_back(std::move(spec));
+  }
+  // The tied masses are on the nodes by now, so this is the step of the run.
+  StepLimit limit;
+  double    share = 0;
+  if (mesh_)
+  {
+    limit.tighten(mesh_->stable_dt());
+    share = std::max(share, scene.fem.step_factor);
+  }
+  if (particles_)
+  {
+    limit.tighten(particles_->stable_dt());
+    share = std::max(share, scene.sph.step_factor);
+  }
+  contacts_ = std::make_unique<ContactSet<dim>>(std::move(specs), cut_axes(scene), limit.dt,
+                                                std::min(share, .95));
+  contacts_->start(Faces<dim>::look(mesh_.get(), particles_.get()));
+}
+
+template <int dim>
+void Coupler<dim>::gather()
+{
+  auto faces = Faces<dim>::look(mesh_.get(), particles_.get());
+  faces.clear_forces();
+  contacts_->gather(faces);
+  if (interfaces_.empty())
+    return;
+  std::array<std::span<double>, dim> force;
+  for (int a = 0; a < dim; ++a)
+    force[a] = slaves_.force[a];
+  particles_->slave_forces(force);
+  for (auto &interface : interfaces_)
+    interface->gather(faces, slaves_);
+}
+
+template <int dim>
+void Coupler<dim>::drive()
+{
+  if (interfaces_.empty())
+    return;
+  const auto faces = Faces<dim>::look(mesh_.get(), particles_.get());
+  for (const auto &interface : interfaces_)
+    interface->drive(faces, slaves_);
+  std::array<std::span<const double>, dim> velocity;
+  for (int a = 0; a < dim; ++a)
+    velocity[a] = slaves_.velocity[a];
+  particles_->drive_slaves(velocity);
+}
+
+template <int dim>
+void Coupler<dim>::close(const TimeStep &step)
+{
+  const auto faces = Faces<dim>::look(mesh_.get(), particles_.get());
+  contacts_->close(faces, step);
+  for (auto &interface : interfaces_)
+    interface->close(faces, slaves_, step);
+}
+
+template <int dim>
+StepLimit Coupler<dim>::stable_dt() const
+{
+  return contacts_->stable_dt();
+}
+
+template <int dim>
+CouplingBalance Coupler<dim>::balance() const
+{
+  const auto     &contact = contacts_->energy();
+  CouplingBalance balance;
+  balance.contact_stored    = contact.stored;
+  balance.friction_heat     = contact.friction_heat;
+  balance.contact_taken     = contact.taken;
+  balance.contact_loss      = contact.loss();
+  balance.work_on_mesh      = contact.work[mesh_party];
+  balance.work_on_particles = contact.work[particle_party];
+  balance.contact_impulse   = contacts_->impulse();
+  for (const auto &interface : interfaces_)
+  {
+    balance.interface_work += interface->energy().residue();
+    balance.work_on_mesh += interface->energy().work_on_mesh;
+    balance.work_on_particles += interface->energy().work_on_particles;
+  }
+  return balance;
+}
+
+template <int dim>
+void Coupler<dim>::snapshot()
+{
+  contacts_->snapshot();
+  for (auto &interface : interfaces_)
+    interface->snapshot();
+}
+
+template <int dim>
+void Coupler<dim>::restore()
+{
+  contacts_->restore();
+  for (auto &interface : interfaces_)
+    interface->restore();
+}
+
+template <int dim>
+void Coupler<dim>::save(ArchiveWriter &archive, const std::string &prefix) const
+{
+  contacts_->save(archive, prefix);
+  for (std::size_t i = 0; i < interfaces_.size(); ++i)
+    interfaces_[i]->save(archive, prefix + "/" + interface_names_[i]);
+}
+
+template <int dim>
+void Coupler<dim>::load(const ArchiveReader &archive, const std::string &prefix)
+{
+  contacts_->load(archive, prefix);
+  for (std::size_t i = 0; i < interfaces_.size(); ++i)
+    interfaces_[i]->load(archive, prefix + "/" + interface_names_[i]);
+}
+
+template class Coupler<1>;
+template class Coupler<2>;
+template class Coupler<3>;
+} // namespace ogive::coupling

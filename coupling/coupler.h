@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "core/input/scene.h"
+#include "coupling/contact.h"
+#include "coupling/interface.h"
+#include "coupling/surfaces.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace ogive::fem
+{
+template <int dim>
+class Solver;
+}
+namespace ogive::sph
+{
+template <int dim>
+class Solver;
+}
+
+namespace ogive::coupling
+{
+/// What coupling contributes to the ledger at t_{n+1/2}. J, N s.
+struct CouplingBalance
+{
+  double contact_stored = 0; ///< in the springs: part of the total
+  double friction_heat  = 0; ///< part of the total
+  double contact_taken  = 0; ///< minus the work of contact on the bodies
+  double contact_loss   = 0; ///< taken - stored - heat: numerical, not in the total
+  double conversion_heat = 0; ///< of elements turned into particles: part of the total
+  double interface_work = 0; ///< net work of the interfaces: numerical, not in the total
+  double work_on_mesh      = 0; ///< by contact and interfaces
+  double work_on_particles = 0;
+  double contact_impulse   = 0; ///< sum of |force| dt, N s
+};
+
+/// Joins the two solvers of a run. One step:
+///   gather, mesh.step, drive, particles.step, close.
+/// Construct it at the initial state, before the first step and before a
+/// checkpoint is loaded into anything: weights and masses of the interfaces and
+/// initial overlaps are those of t = 0.
+template <int dim>
+class Coupler
+{
+public:
+  /// Either solver may be null. InputError names what is wrong in the scene's
+  /// contacts and interfaces.
+  Coupler(const input::Scene &, fem::Solver<dim> *, sph::Solver<dim> *);
+  /// The same between any two parties.
+  Coupler(const input::Scene &, std::unique_ptr<MeshPort<dim>>, std::unique_ptr<ParticlePort<dim>>);
+  ~Coupler();
+
+  /// Contact and interface forces at t_n into Surface::force of both parties
+  /// (what stands there is cleared first).
+  void gather();
+  /// Velocities of the tied particles, from the nodes just kicked.
+  void drive();
+  /// Books the energy of the step. Call once both parties have stepped.
+  void close(const TimeStep &);
+
+  StepLimit       stable_dt() const;
+  CouplingBalance balance() const;
+  void            snapshot();
+  void            restore();
+  void            save(ArchiveWriter &, const std::string &prefix) const;
+  void            load(const ArchiveReader &, const std::string &prefix);
+
+  /// Force on body `a` by body `b` through contact at the last gather, N.
+  Vec3        contact_force(int a, int b) const { return contacts_->force(a, b); }
+  std::size_t active_contacts() const { return contacts_->active(); }
+  std::int64_t lost_contacts() const { return contacts_->lost(); }
+  const std::vector<InitialOverlap> &initial_overlaps() const { return contacts_->initial_overlaps(); }
+  std::size_t tied_particles() const { return slaves_.id.size(); }
+
+private:
+  void build_interfaces(const input::Scene &);
+  void build_contacts(const input::Scene &);
+
+  std::unique_ptr<MeshPort<dim>>               mesh_;
+  std::unique_ptr<ParticlePort<dim>>           particles_;
+  std::vector<std::string>                     interface_names_;
+  std::vector<std::unique_ptr<Interface<dim>>> interfaces_;
+  Slaves<dim>                                  slaves_;
+  std::unique_ptr<ContactSet<dim>>             contacts_;
+};
+} // namespace ogive::coupling

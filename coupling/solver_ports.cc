@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "coupling/coupler.h"
+#include "fem/solver.h"
+#include "sph/solver.h"
+
+#include <memory>
+
+namespace ogive::coupling
+{
+namespace
+{
+template <int dim>
+class FemPort : public MeshPort<dim>
+{
+public:
+  explicit FemPort(fem::Solver<dim> &solver) : solver_(solver) {}
+
+  Surface<dim> surface() override { return solver_.surface(); }
+  StepLimit    stable_dt() const override { return solver_.stable_dt(); }
+  void         add_mass(std::uint32_t node, double mass) override { solver_.add_mass(node, mass); }
+  bool embed(std::uint32_t element, const std::array<double, dim> &point, double reach,
+             Embedding<dim> &result) const override
+  {
+    typename fem::Solver<dim>::Embedding found;
+    if (!solver_.embed(element, point, reach, found))
+      return false;
+    result.node   = found.node;
+    result.weight = found.weight;
+    return true;
+  }
+
+private:
+  fem::Solver<dim> &solver_;
+};
+
+template <int dim>
+class SphPort : public ParticlePort<dim>
+{
+public:
+  explicit SphPort(sph::Solver<dim> &solver) : solver_(solver) {}
+
+  Surface<dim> surface() override { return solver_.surface(); }
+  StepLimit    stable_dt() const override { return solver_.stable_dt(); }
+  void         set_slaves(std::span<const std::int64_t> ids) override { solver_.set_slaves(ids); }
+  void drive_slaves(const std::array<std::span<const double>, dim> &v) override { solver_.drive_slaves(v); }
+  void slave_forces(const std::array<std::span<double>, dim> &f) const override { solver_.slave_forces(f); }
+  std::span<const std::uint32_t> index_of_id() const override { return solver_.index_of_id(); }
+
+private:
+  sph::Solver<dim> &solver_;
+};
+
+template <class Port, class Base, class Solver>
+std::unique_ptr<Base> port_to(Solver *solver)
+{
+  return solver ? std::make_unique<Port>(*solver) : nullptr;
+}
+} // namespace
+
+// Here and not in coupler.cc, so that the layer links without the solvers.
+template <int dim>
+Coupler<dim>::Coupler(const input::Scene &scene, fem::Solver<dim> *mesh, sph::Solver<dim> *particles)
+  : Coupler(scene, port_to<FemPort<dim>, MeshPort<dim>>(mesh),
+            port_to<SphPort<dim>, ParticlePort<dim>>(particles))
+{}
+
+template Coupler<1>::Coupler(const input::Scene &, fem::Solver<1> *, sph::Solver<1> *);
+template Coupler<2>::Coupler(const input::Scene &, fem::Solver<2> *, sph::Solver<2> *);
+template Coupler<3>::Coupler(const input::Scene &, fem::Solver<3> *, sph::Solver<3> *);
+} // namespace ogive::coupling

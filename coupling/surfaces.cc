@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "coupling/surfaces.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ogive::coupling
+{
+template <int dim>
+Faces<dim> Faces<dim>::look(MeshPort<dim> *mesh, ParticlePort<dim> *particles)
+{
+  Faces faces;
+  if (mesh)
+    faces.of[mesh_party] = mesh->surface();
+  if (particles)
+  {
+    faces.of[particle_party] = particles->surface();
+    faces.particle_index     = particles->index_of_id();
+  }
+  return faces;
+}
+
+template <int dim>
+void Faces<dim>::clear_forces()
+{
+  for (auto &surface : of)
+    for (auto &component : surface.force)
+      std::fill(component.begin(), component.end(), 0.);
+}
+
+template <int dim>
+std::vector<std::uint32_t> contact_points(const Surface<dim> &surface, int body)
+{
+  std::vector<std::uint32_t> points;
+  for (const std::uint32_t i : surface.contact_points)
+    if (surface.body[i] == body)
+      points.push_back(i);
+  std::sort(points.begin(), points.end(), [&](auto i, auto j) { return surface.id[i] < surface.id[j]; });
+  return points;
+}
+
+namespace
+{
+template <int dim>
+bool lies_on_plane(const Surface<dim> &surface, const typename Surface<dim>::Facet &facet, int axis,
+                   double tolerance)
+{
+  return std::all_of(facet.node.begin(), facet.node.end(),
+                     [&](auto i) { return std::abs(surface.x[axis][i]) <= tolerance; });
+}
+} // namespace
+
+template <int dim>
+std::vector<typename Surface<dim>::Facet> true_facets(const Surface<dim> &surface, int body,
+                                                      const std::vector<int> &symmetry_axes)
+{
+  double extent = 0;
+  for (const auto &facet : surface.facets)
+    for (const std::uint32_t i : facet.node)
+      for (int a = 0; a < dim; ++a)
+        extent = std::max(extent, std::abs(surface.x[a][i]));
+
+  std::vector<typename Surface<dim>::Facet> facets;
+  for (const auto &facet : surface.facets)
+    if (facet.body == body &&
+        std::none_of(symmetry_axes.begin(), symmetry_axes.end(), [&](int axis) {
+          return axis < dim && lies_on_plane(surface, facet, axis, 1e-9 * extent);
+        }))
+      facets.push_back(facet);
+  return facets;
+}
+
+template <int dim>
+double facet_size(const Surface<dim> &surface, const typename Surface<dim>::Facet &facet)
+{
+  double longest = 0;
+  for (std::size_t k = 0; k < facet.node.size(); ++k)
+  {
+    const std::uint32_t i = facet.node[k], j = facet.node[(k + 1) % facet.node.size()];
+    double              square = 0;
+    for (int a = 0; a < dim; ++a)
+      square += (surface.x[a][i] - surface.x[a][j]) * (surface.x[a][i] - surface.x[a][j]);
+    longest = std::max(longest, std::sqrt(square));
+  }
+  return longest;
+}
+
+#define OGIVE_INSTANTIATE(dim)                                                                               \
+  template struct Faces<dim>;                                                                                \
+  template std::vector<std::uint32_t>                contact_points(const Surface<dim> &, int);              \
+  template std::vector<typename Surface<dim>::Facet> true_facets(const Surface<dim> &, int,                  \
+                                                                 const std::vector<int> &);                  \
+  template double facet_size(const Surface<dim> &, const Surface<dim>::Facet &);
+OGIVE_INSTANTIATE(1)
+OGIVE_INSTANTIATE(2)
+OGIVE_INSTANTIATE(3)
+#undef OGIVE_INSTANTIATE
+} // namespace ogive::coupling

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "core/base/culprit.h"
+#include "core/base/surface.h"
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace ogive::coupling
+{
+/// A position, velocity or force of dim components, SI.
+template <int dim>
+using Point = Eigen::Matrix<double, dim, 1>;
+
+/// The two solvers that the coupling layer joins.
+enum Party : int
+{
+  mesh_party     = 0,
+  particle_party = 1
+};
+
+/// Nodes and weights of the mesh element with which a point moves: the weights
+/// sum to 1 and sum(weight * x) is the point.
+template <int dim>
+struct Embedding
+{
+  static constexpr int                n_nodes = 1 << dim;
+  std::array<std::uint32_t, n_nodes>  node{};
+  std::array<double, n_nodes>         weight{};
+};
+
+/// What the coupling layer asks of a finite element solver. A thin adapter of
+/// the solver in a run, a few hand-made arrays in a test.
+template <int dim>
+class MeshPort
+{
+public:
+  virtual ~MeshPort()                                                                       = default;
+  virtual Surface<dim> surface()                                                            = 0;
+  virtual StepLimit    stable_dt() const                                                    = 0;
+  virtual void         add_mass(std::uint32_t node, double mass)                            = 0;
+  virtual bool         embed(std::uint32_t element, const std::array<double, dim> &point, double reach,
+                             Embedding<dim> &result) const = 0;
+};
+
+/// What the coupling layer asks of a particle solver.
+template <int dim>
+class ParticlePort
+{
+public:
+  virtual ~ParticlePort()                                                                  = default;
+  virtual Surface<dim> surface()                                                           = 0;
+  virtual StepLimit    stable_dt() const                                                   = 0;
+  virtual void         set_slaves(std::span<const std::int64_t> ids)                       = 0;
+  virtual void         drive_slaves(const std::array<std::span<const double>, dim> &v)     = 0;
+  virtual void         slave_forces(const std::array<std::span<double>, dim> &force) const = 0;
+  virtual std::span<const std::uint32_t> index_of_id() const                               = 0;
+};
+
+/// The surfaces of both parties as they are now; the one of an absent party
+/// has no points.
+template <int dim>
+struct Faces
+{
+  std::array<Surface<dim>, 2>    of;
+  std::span<const std::uint32_t> particle_index; ///< present index of each particle id
+
+  static Faces look(MeshPort<dim> *mesh, ParticlePort<dim> *particles);
+
+  Surface<dim>       &operator[](int party) { return of[party]; }
+  const Surface<dim> &operator[](int party) const { return of[party]; }
+
+  Point<dim> position(int party, std::uint32_t i) const
+  {
+    Point<dim> p;
+    for (int a = 0; a < dim; ++a)
+      p[a] = of[party].x[a][i];
+    return p;
+  }
+  Point<dim> velocity(int party, std::uint32_t i) const
+  {
+    Point<dim> p;
+    for (int a = 0; a < dim; ++a)
+      p[a] = of[party].v[a][i];
+    return p;
+  }
+  double radius(int party, std::uint32_t i) const
+  {
+    return of[party].radius.empty() ? 0 : of[party].radius[i];
+  }
+  void add_force(int party, std::uint32_t i, const Point<dim> &f)
+  {
+    for (int a = 0; a < dim; ++a)
+      of[party].force[a][i] += f[a];
+  }
+  /// Index of a point now, given the index it had when `id` was read. Nodes of
+  /// a mesh keep their index within a step; particles are reordered.
+  std::uint32_t now(int party, std::uint32_t then, std::int64_t id) const
+  {
+    return party == particle_party && !particle_index.empty() ? particle_index[id] : then;
+  }
+  void clear_forces();
+};
+
+/// Points of `body` that may touch, by ascending id.
+template <int dim>
+std::vector<std::uint32_t> contact_points(const Surface<dim> &, int body);
+
+/// Facets of `body` that bound material: those that lie as a whole on one of
+/// the planes x_axis = 0 listed in `symmetry_axes` are cuts, not surface.
+template <int dim>
+std::vector<typename Surface<dim>::Facet> true_facets(const Surface<dim> &, int body,
+                                                      const std::vector<int> &symmetry_axes);
+
+/// Longest edge of a facet, m; 0 in one dimension.
+template <int dim>
+double facet_size(const Surface<dim> &, const typename Surface<dim>::Facet &);
+} // namespace ogive::coupling
