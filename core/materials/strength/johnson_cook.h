@@ -89,8 +89,8 @@ struct JohnsonCook
                 known_plastic = true;
                 x             = std::min(excess / t.three_g, .5 * (lo + hi));
               }
-            else
-              x = .5 * (lo + hi);
+            else // with lo = 0 the root may be many decades down: x^n with small n
+              x = lo > 0 ? .5 * (lo + hi) : 1e-3 * hi;
           }
         const Residual r = residual(t, x, f);
         if (r.value >= 0)

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/materials/laws.h"
+#include "one_point.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace ogive::materials
+{
+using test::OnePoint;
+
+namespace
+{
+/// The formula of Johnson and Cook, written out for comparison.
+double formula(const Parameters &p, double eps, double rate, double temperature)
+{
+  const StrengthParameters &s = p.strength;
+  const double t = (temperature - p.thermal.reference_temperature) /
+                   (p.thermal.melt_temperature - p.thermal.reference_temperature);
+  return (s.yield_stress + s.hardening * std::pow(eps, s.exponent)) *
+         (1 + s.rate_coefficient * std::max(0., std::log(rate / s.reference_rate))) *
+         (1 - std::pow(std::max(0., t), s.thermal_exponent));
+}
+} // namespace
+
+// OFHC copper at eps .2, 5000/s, 500 K: (90 + 292 .2^.31)(1 + .025 ln 5000)
+// (1 - (206/1062)^1.09) MPa, worked out with a calculator to seven digits.
+TEST(Strength, JohnsonCookAtOnePoint)
+{
+  Parameters p              = test::parameters("linear", "johnson-cook");
+  p.strength.reference_rate = 1;
+  const JohnsonCook law     = JohnsonCook::from(p);
+  const double      hard    = 90 + 292 * .6071826; // .2^.31
+  const double      rate    = 1 + .025 * 8.5171932;
+  const double      heat    = 1 - .1673553; // (206/1062)^1.09
+  EXPECT_NEAR(law.stress(.2, 5000, 500), hard * rate * heat * 1e6, 1e-6 * hard * rate * heat * 1e6);
+  EXPECT_DOUBLE_EQ(law.stress(0, 1e-9, 200), 90e6); // below both references
+  EXPECT_DOUBLE_EQ(law.stress(.3, 1e3, 1356), 0);   // molten
+}
+
+// At constant shear rate the stress must satisfy the formula at the end of each
+// step, with the rate of the step and the temperature that the work gave.
+TEST(Strength, JohnsonCookHoldsAlongAHeatingPath)
+{
+  const Parameters p = test::parameters("linear", "johnson-cook");
+  OnePoint         point(p);
+  const double     dt = 7e-8, rate = 4e4;
+  double           temperature = 294, eps = 0;
+  int              yielded = 0;
+  for (int i = 0; i < 600; ++i)
+    {
+      const double before = point.points.plastic_strain[0];
+      ASSERT_EQ(point.step({0, 0, 0, rate * dt / 2, 0, 0}, dt), Status::ok);
+      eps            = point.points.plastic_strain[0];
+      const double x = eps - before;
+      if (x == 0)
+        continue;
+      ++yielded;
+      temperature += .9 * point.mises() * x / (8930 * 383);
+      ASSERT_NEAR(point.points.temperature[0], temperature, 1e-10 * temperature);
+      const double y = formula(p, eps, x / dt, temperature);
+      ASSERT_NEAR(point.mises(), y, 1e-10 * y) << "step " << i;
+    }
+  EXPECT_GT(yielded, 590);
+  EXPECT_GT(temperature, 330);
+}
+
+// Hardening, rate and melt over many decades: the solver always ends on the
+// yield surface, and never misses that there is no yield.
+TEST(Strength, JohnsonCookSolverOverRandomTrials)
+{
+  std::mt19937                           random(7);
+  std::uniform_real_distribution<double> u(0, 1);
+  for (int k = 0; k < 20000; ++k)
+    {
+      Parameters p                = test::parameters("linear", "johnson-cook");
+      p.strength.exponent         = .05 + 1.2 * u(random);
+      p.strength.thermal_exponent = .4 + 1.2 * u(random);
+      p.strength.rate_coefficient = u(random) < .2 ? 0 : .08 * u(random);
+      p.strength.hardening        = u(random) < .2 ? 0 : 9e8 * u(random);
+      const JohnsonCook law = JohnsonCook::from(p);
+      Trial             t;
+      t.stress         = 90e6 * std::pow(10., 3 * u(random) - .5);
+      t.old_stress     = t.stress * 1.2 * u(random);
+      t.three_g        = 130e9;
+      t.plastic_strain = u(random) < .3 ? 0 : std::pow(10., -6 + 7 * u(random));
+      t.temperature    = 250 + 1300 * u(random);
+      t.dt             = std::pow(10., -10 + 8 * u(random));
+      t.heating        = u(random) < .2 ? 0 : .9 / (8930 * 383);
+      const Flow   f   = law.flow(t);
+      const double q   = t.stress - t.three_g * f.increment;
+      const double y0  = law.stress(t.plastic_strain, 0, t.temperature);
+      ASSERT_LE(law.elastic_up_to(t.plastic_strain, t.temperature), y0 * (1 + 1e-14));
+      if (t.stress <= y0)
+        {
+          ASSERT_EQ(f.increment, 0) << k;
+          continue;
+        }
+      ASSERT_GT(f.increment, 0) << k;
+      const double y = law.stress(t.plastic_strain + f.increment, f.increment / t.dt,
+                                  t.temperature + t.heating * q * f.increment);
+      ASSERT_NEAR(q, y, 1e-10 * t.stress) << k;
+      ASSERT_NEAR(f.work, q * f.increment, 1e-12 * t.stress * f.increment);
+    }
+}
+
+TEST(Strength, NearbyPowerAndLogMatchTheLibrary)
+{
+  for (const double n : {.12, .31, .55, 1.09, 1.34})
+    {
+      const NearbyPower::Series series(n);
+      NearbyPower               power(series);
+      NearbyLog                 log;
+      for (double x = 3e-5; x < 4; x *= 1.0049)
+        {
+          ASSERT_NEAR(power(x), std::pow(x, n), 2e-14 * std::pow(x, n));
+          ASSERT_NEAR(log(x), std::log(x), 1e-14 * (1 + std::abs(std::log(x))));
+        }
+    }
+}
+} // namespace ogive::materials
