@@ -28,6 +28,8 @@ struct BodyParticles
   double                                  spacing = 0;   ///< m
   std::vector<std::array<double, dim>>    x, v;          ///< m, m/s
   std::vector<double>                     mass;          ///< kg
+  /// For the faces of round bodies; boxes take their faces from the particles.
+  input::Shape shape;
 };
 
 /// What the solver needs from the scene.
@@ -38,6 +40,14 @@ struct Parameters
   std::vector<input::RigidWall>      walls;
   std::vector<input::Boundary>       boundaries; ///< fixed and velocity, by Boundary::body through `boundary_bodies`
   std::vector<int>                   boundary_bodies;
+};
+
+/// What a run should watch.
+struct Diagnostics
+{
+  std::size_t   fallbacks = 0; ///< particles whose corrected gradient fell back to the plain one, last step
+  std::size_t   pairs     = 0; ///< directed pairs in the lists, skin included
+  std::uint64_t rebuilds  = 0; ///< of the neighbour lists since construction
 };
 
 /// Smoothed particle hydrodynamics of solids, total set of bodies of a scene.
@@ -74,6 +84,8 @@ public:
 
   /// Normal force sum that rigid wall `w` gave in the last step, N (into the material).
   double wall_force(std::size_t w) const;
+
+  Diagnostics diagnostics() const;
 
 private:
   struct Implementation;

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sph/bench.h"
+
+#include "core/base/error.h"
+#include "sph/fill.h"
+
+#include <chrono>
+#include <cmath>
+
+namespace ogive::sph
+{
+BenchResult bench(int edge, int steps, std::shared_ptr<const materials::Material> material)
+{
+  constexpr double spacing = 1e-3;
+  input::Scene     scene;
+  input::Body      body;
+  body.name        = "block";
+  body.spacing     = spacing;
+  body.shape.upper = Vec3::Constant(edge * spacing);
+  body.spin        = Vec3(300., 500., 800.);
+  auto         particles = fill<3>(body, scene, 0, material);
+  const double length    = edge * spacing;
+  for (std::size_t i = 0; i < particles.x.size(); ++i)
+    for (int a = 0; a < 3; ++a)
+      particles.v[i][a] += 100 * std::cos(2 * M_PI * particles.x[i][(a + 1) % 3] / length) +
+                           60 * std::sin(M_PI * particles.x[i][a] / length);
+
+  Solver<3> solver({}, {std::move(particles)});
+  double    time = 0, last = 0;
+  const auto run = [&](int count) {
+    for (int k = 0; k < count; ++k)
+    {
+      const double     dt     = solver.stable_dt().dt;
+      const StepStatus status = solver.step({time, .5 * (last + dt), dt});
+      if (!status.ok)
+        throw RunError(std::string("bench: ") + status.culprit.why);
+      time += dt;
+      last = dt;
+    }
+  };
+  run(5);
+  const auto rebuilds = solver.diagnostics().rebuilds;
+  const auto start    = std::chrono::steady_clock::now();
+  run(steps);
+  const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+
+  BenchResult r;
+  r.particle_steps_per_s = solver.size() * static_cast<double>(steps) / wall;
+  r.neighbours           = solver.diagnostics().pairs / static_cast<double>(solver.size());
+  const auto built       = solver.diagnostics().rebuilds - rebuilds;
+  r.rebuild_interval     = built > 0 ? static_cast<double>(steps) / built : steps;
+  return r;
+}
+} // namespace ogive::sph

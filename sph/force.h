@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sph/kernels/kernels.h"
+#include "sph/sweep.h"
+#include "sph/viscosity/monaghan.h"
+
+namespace ogive::sph
+{
+/// Pair forces at x^n. Every factor that both ends share is written so that it
+/// comes out the same from either end (products and sums of the two ends
+/// first): the force of a pair is antisymmetric to the bit.
+///  stress     F = w_i w_j (P_i + P_j) gradW
+///  viscosity  F = -m_i m_j Pi gradW
+///  hourglass  F = z rho c h V_i V_j (W'/r) (d_ij . r^) r^ (1-D_i)(1-D_j),
+///             d_ij = v_ij - 1/2 (L_i + L_j) x_ij, zero where it would drive
+/// With damage a pair in tension carries (1 - |D_i - D_j|)^2 of its stress, so
+/// that broken material does not hang on to whole material.
+template <int dim, class Kernel, bool standard, bool correction, bool damage>
+void force_sweep(const Sweep &s)
+{
+  using L                = Layout<dim>;
+  constexpr int n_fields = damage ? L::n_force : L::n_force - 1;
+  const KernelAt<Kernel, dim> kernel(s.h);
+  const Monaghan              viscosity{s.alpha, s.beta, s.h};
+  const double                z = .25 * s.hourglass * s.h; // means of rho and c: 1/4
+  for (std::size_t i = s.begin; i < s.end; ++i)
+  {
+    const double *own = s.force_records + i * L::force_stride;
+    VDouble       sum[L::forces_stride];
+    for (auto &a : sum)
+      a = 0.;
+    for (std::size_t p = s.row[i]; p < s.row[i + 1]; p += simd_width)
+    {
+      VDouble j[padded(n_fields)];
+      load_records<n_fields>(s.force_records, L::force_stride, s.index + p, j);
+      VDouble dx[dim], r2 = 0., vx = 0.;
+      for (int a = 0; a < dim; ++a)
+      {
+        dx[a] = own[L::x + a] - j[L::x + a];
+        r2 += dx[a] * dx[a];
+        vx += (own[L::v + a] - j[L::v + a]) * dx[a];
+      }
+      const VDouble inv_r = kernel.inverse_distance(r2), r = r2 * inv_r;
+      const VDouble g  = kernel.slope(r, inv_r);
+      const VDouble ww = own[L::weight] * j[L::weight];
+      const VDouble rr = own[L::density] * j[L::density];
+      const VDouble c2 = own[L::sound] + j[L::sound], rho2 = own[L::density] + j[L::density];
+
+      VDouble t[dim], tension = 0., stretch = 0.;
+      for (int a = 0; a < dim; ++a)
+      {
+        t[a]         = 0.;
+        VDouble d    = 0.;
+        for (int b = 0; b < dim; ++b)
+        {
+          t[a] += (own[L::p + a * dim + b] + j[L::p + a * dim + b]) * dx[b];
+          d += (own[L::rate + L::sym(a, b)] + j[L::rate + L::sym(a, b)]) * dx[b];
+        }
+        tension += t[a] * dx[a];
+        stretch += d * dx[a];
+      }
+
+      const auto    pi    = viscosity(vx, r2, c2, rho2);
+      const VDouble mass2 = standard ? ww : VDouble(ww * rr);
+      VDouble       vol2  = ww;
+      if constexpr (standard)
+        vol2 = select(rr > 0., VDouble(ww / rr), VDouble(0.));
+      const VDouble viscous = -(mass2 * g) * pi.pi;
+
+      const VDouble delta = vx - .5 * stretch;
+      VDouble       rate  = (z * (vol2 * g)) * (c2 * rho2) * (inv_r * inv_r);
+      VDouble       share = g * ww;
+      if constexpr (damage)
+      {
+        rate *= (1. - own[L::damage]) * (1. - j[L::damage]);
+        const VDouble keep   = 1. - stdx::abs(own[L::damage] - j[L::damage]);
+        const VDouble factor = select(tension > 0., VDouble(keep * keep), VDouble(1.));
+        share *= factor;
+        factor.copy_to(s.pair_damage + p, stdx::vector_aligned);
+      }
+      VDouble hourglass = rate * delta;
+      hourglass         = select(hourglass * vx > 0., VDouble(0.), hourglass);
+      hourglass.copy_to(s.pair_hourglass + p, stdx::vector_aligned);
+
+      VDouble central = hourglass;
+      if constexpr (!correction)
+      {
+        viscous.copy_to(s.pair_viscosity + p, stdx::vector_aligned);
+        central += viscous;
+      }
+      for (int a = 0; a < dim; ++a)
+      {
+        sum[L::f_sum + a] += share * t[a] + central * dx[a];
+        if constexpr (correction)
+          sum[L::viscous_sum + a] += viscous * dx[a];
+      }
+      sum[L::viscous_rate] -= (mass2 * g) * pi.rate * r2;
+      sum[L::hourglass_rate] -= rate * r2;
+    }
+    store_sums<L::n_forces>(sum, s.sums + i * L::forces_stride);
+  }
+}
+} // namespace ogive::sph

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sph/ghosts.h"
+#include "sph/neighbours.h"
+#include "sph/solver.h"
+#include "sph/step_bound.h"
+#include "sph/store.h"
+#include "sph/sweep.h"
+
+namespace ogive::sph
+{
+/// Amounts that prescribed motion and walls did so far, J.
+struct Works
+{
+  double external = 0, wall_loss = 0, friction = 0;
+};
+
+/// Inside the solver. solver.cc: the public face; phases.cc: the phases of a
+/// step; motion.cc: kick, boundaries, drift; lists.cc: rebuild and records;
+/// state.cc: snapshots and checkpoints.
+template <int dim>
+struct Solver<dim>::Implementation
+{
+  using L = Layout<dim>;
+  template <class T>
+  using PerAxis = std::array<T, dim>;
+
+  struct Body
+  {
+    int                                        scene = 0; ///< index into Scene::bodies
+    std::size_t                                first = 0, last = 0;
+    double                                     spacing = 0, h = 0, skin = 0;
+    std::shared_ptr<const materials::Material> material;
+    SweepFunctions                             sweeps;
+    double                                     list_radius = 0;
+    double                                     self_value  = 0; ///< W(0; h_c)
+  };
+
+  Parameters        parameters;
+  bool              standard = false, correction = false;
+  LatticeShares     shares;
+  std::vector<Body> bodies;
+  Store<dim>        store;
+
+  // Follow from the store.
+  Ghosts                     ghosts;
+  NeighbourRows              rows;
+  AlignedVector<double>      force_records, correction_records, energy_records;
+  AlignedVector<double>      gradient_sums, force_sums, power_sums;
+  AlignedVector<double>      pair_viscosity, pair_hourglass, pair_damage;
+  AlignedVector<double>      correction_norm; ///< |B|, of the last gradient sweep
+  std::vector<std::uint32_t> index_of_id;
+  std::vector<std::int64_t>  near_surface; ///< kept through a rebuild's first sweep: part of the state
+  std::vector<std::uint32_t> contact_points;
+  AlignedVector<double>      radius;
+  bool                       surface_stale = true;
+  std::size_t                failed        = 0; ///< particles with damage >= 1
+
+  std::vector<std::int64_t>           slave_ids;
+  std::vector<char>                   is_slave; ///< by id
+  PerAxis<std::vector<double>>        slave_velocity; ///< by id
+
+  Works               works;
+  std::vector<double> wall_forces;
+  std::uint64_t       updates  = 0;
+  std::uint64_t       topology = 1;
+  Diagnostics         diagnostics;
+
+  struct State;
+  std::unique_ptr<State> kept;
+
+  Implementation(const Parameters &, std::vector<BodyParticles<dim>>);
+  ~Implementation();
+
+  // lists.cc
+  bool lists_are_stale() const;
+  void sort_particles();
+  void rebuild_lists(); ///< from store.x_listed
+  void pack_motion();
+  void reflect_motion();
+  void reflect_forces();
+  Sweep sweep_of(const Body &, double *sums);
+
+  // phases.cc
+  /// Gradients at x(t_n); with dt > 0 also the material's step.
+  StepStatus advance_material(double dt);
+  void       forces();
+  void       energy(double kick);
+  void       find_surface();
+
+  // motion.cc
+  void       kick(const TimeStep &);
+  void       land_on_walls(std::size_t i, const TimeStep &, double spacing);
+  StepStatus drift(double dt);
+  void       mark_boundaries(const std::vector<BodyParticles<dim>> &);
+
+  // state.cc
+  void follow(bool lists);
+  void keep();
+  void go_back();
+  void write(ArchiveWriter &, const std::string &prefix);
+  void read(const ArchiveReader &, const std::string &prefix);
+
+  Culprit culprit(std::size_t i, const char *why) const;
+  double  weight(std::size_t i) const { return standard ? store.mass[i] : store.mass[i] / store.swept_density[i]; }
+};
+} // namespace ogive::sph

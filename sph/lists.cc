@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sph/implementation.h"
+
+#include <numeric>
+
+namespace ogive::sph
+{
+template <int dim>
+bool Solver<dim>::Implementation::lists_are_stale() const
+{
+  for (const auto &b : bodies)
+  {
+    const double limit = .25 * b.skin * b.skin;
+    double       most  = 0;
+    for (std::size_t i = b.first; i < b.last; ++i)
+    {
+      double d2 = 0;
+      for (int a = 0; a < dim; ++a)
+        d2 += (store.x[a][i] - store.x_listed[a][i]) * (store.x[a][i] - store.x_listed[a][i]);
+      most = d2 > most ? d2 : most;
+    }
+    if (most > limit)
+      return true;
+  }
+  return false;
+}
+
+template <int dim>
+void Solver<dim>::Implementation::sort_particles()
+{
+  std::array<std::span<const double>, dim> x;
+  for (int a = 0; a < dim; ++a)
+    x[a] = store.x[a];
+  std::vector<std::uint32_t> order;
+  for (const auto &b : bodies)
+  {
+    const auto part = morton_order<dim>(x, b.first, b.last, b.list_radius, store.id);
+    order.insert(order.end(), part.begin(), part.end());
+  }
+  bool sorted = true;
+  for (std::size_t k = 0; k < order.size(); ++k)
+    sorted &= order[k] == k;
+  if (!sorted)
+  {
+    store.permute(order);
+    std::vector<std::int64_t> old = near_surface;
+    for (std::size_t k = 0; k < order.size(); ++k)
+      near_surface[k] = old[order[k]];
+    ++topology;
+  }
+  for (int a = 0; a < dim; ++a)
+    store.x_listed[a] = store.x[a];
+}
+
+template <int dim>
+void Solver<dim>::Implementation::rebuild_lists()
+{
+  const std::size_t n = store.size();
+  ghosts.clear();
+  std::array<std::span<const double>, dim> listed;
+  for (int a = 0; a < dim; ++a)
+    listed[a] = store.x_listed[a];
+  for (const auto &b : bodies)
+    ghosts.append<dim>(listed, b.first, b.last, b.list_radius, parameters.symmetry);
+  const std::size_t all = n + ghosts.size();
+
+  PerAxis<std::vector<double>>             x;
+  std::array<std::span<const double>, dim> view;
+  for (int a = 0; a < dim; ++a)
+  {
+    x[a].assign(listed[a].begin(), listed[a].end());
+    for (std::size_t g = 0; g < ghosts.size(); ++g)
+      x[a].push_back(ghosts.sign[g][a] * listed[a][ghosts.parent[g]]);
+    view[a] = x[a];
+  }
+  rows.clear();
+  for (std::size_t k = 0; k < bodies.size(); ++k)
+    append_rows<dim>(view, bodies[k].first, bodies[k].last, n + ghosts.range[k][0], n + ghosts.range[k][1],
+                     bodies[k].list_radius, static_cast<std::uint32_t>(all), rows);
+
+  // One record more: the zeros that fill up the rows.
+  force_records.assign((all + 1) * L::force_stride, 0.);
+  correction_records.assign((all + 1) * L::correction_stride, 0.);
+  energy_records.assign((all + 1) * L::energy_stride, 0.);
+  pair_hourglass.resize(rows.index.size());
+  if (!correction)
+    pair_viscosity.resize(rows.index.size());
+  for (const auto &b : bodies)
+    if (b.material->parameters().damage.law != "none")
+      pair_damage.resize(rows.index.size());
+  index_of_id.resize(n);
+  for (std::size_t i = 0; i < n; ++i)
+    index_of_id[store.id[i]] = static_cast<std::uint32_t>(i);
+  for (const auto &b : bodies)
+    std::fill(radius.begin() + b.first, radius.begin() + b.last, .5 * b.spacing);
+  diagnostics.pairs = rows.pairs;
+  ++diagnostics.rebuilds;
+}
+
+template <int dim>
+void Solver<dim>::Implementation::pack_motion()
+{
+  for (std::size_t i = 0; i < store.size(); ++i)
+  {
+    double *r = &force_records[i * L::force_stride];
+    for (int a = 0; a < dim; ++a)
+    {
+      r[L::x + a] = store.x[a][i];
+      r[L::v + a] = store.v[a][i];
+    }
+    r[L::weight]  = weight(i);
+    r[L::density] = store.swept_density[i];
+  }
+  reflect_motion();
+}
+
+template <int dim>
+void Solver<dim>::Implementation::reflect_motion()
+{
+  for (std::size_t g = 0; g < ghosts.size(); ++g)
+  {
+    const double *from = &force_records[ghosts.parent[g] * L::force_stride];
+    double       *to   = &force_records[(store.size() + g) * L::force_stride];
+    for (int a = 0; a < dim; ++a)
+    {
+      to[L::x + a] = ghosts.sign[g][a] * from[L::x + a];
+      to[L::v + a] = ghosts.sign[g][a] * from[L::v + a];
+    }
+    to[L::weight]  = from[L::weight];
+    to[L::density] = from[L::density];
+  }
+}
+
+template <int dim>
+void Solver<dim>::Implementation::reflect_forces()
+{
+  for (std::size_t g = 0; g < ghosts.size(); ++g)
+  {
+    const double *from = &force_records[ghosts.parent[g] * L::force_stride];
+    double       *to   = &force_records[(store.size() + g) * L::force_stride];
+    const auto   &s    = ghosts.sign[g];
+    to[L::sound]       = from[L::sound];
+    to[L::damage]      = from[L::damage];
+    for (int a = 0; a < dim; ++a)
+      for (int b = 0; b < dim; ++b)
+      {
+        to[L::p + a * dim + b]     = s[a] * s[b] * from[L::p + a * dim + b];
+        to[L::rate + L::sym(a, b)] = s[a] * s[b] * from[L::rate + L::sym(a, b)];
+      }
+  }
+}
+
+template <int dim>
+Sweep Solver<dim>::Implementation::sweep_of(const Body &b, double *sums)
+{
+  const auto &o = parameters.options;
+  Sweep       s;
+  s.begin              = b.first;
+  s.end                = b.last;
+  s.row                = rows.row.data();
+  s.index              = rows.index.data();
+  s.force_records      = force_records.data();
+  s.correction_records = correction_records.data();
+  s.energy_records     = energy_records.data();
+  s.sums               = sums;
+  s.pair_viscosity     = pair_viscosity.data();
+  s.pair_hourglass     = pair_hourglass.data();
+  s.pair_damage        = pair_damage.data();
+  s.h                  = b.h;
+  s.alpha              = o.alpha;
+  s.beta               = o.beta;
+  s.hourglass          = o.hourglass;
+  s.support            = o.correction_support;
+  return s;
+}
+
+#define OGIVE_INSTANTIATE(d)                                                                                 \
+  template bool  Solver<d>::Implementation::lists_are_stale() const;                                         \
+  template void  Solver<d>::Implementation::sort_particles();                                                \
+  template void  Solver<d>::Implementation::rebuild_lists();                                                 \
+  template void  Solver<d>::Implementation::pack_motion();                                                   \
+  template void  Solver<d>::Implementation::reflect_motion();                                                \
+  template void  Solver<d>::Implementation::reflect_forces();                                                \
+  template Sweep Solver<d>::Implementation::sweep_of(const Body &, double *);
+OGIVE_INSTANTIATE(1)
+OGIVE_INSTANTIATE(2)
+OGIVE_INSTANTIATE(3)
+#undef OGIVE_INSTANTIATE
+} // namespace ogive::sph

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/base/error.h"
+#include "sph/faces.h"
+#include "sph/implementation.h"
+
+#include <cmath>
+#include <limits>
+
+namespace ogive::sph
+{
+namespace
+{
+constexpr bool is_fixed(std::int64_t bits, int axis)
+{
+  return bits >> axis & 1;
+}
+} // namespace
+
+template <int dim>
+void Solver<dim>::Implementation::mark_boundaries(const std::vector<BodyParticles<dim>> &filled)
+{
+  for (std::size_t k = 0; k < parameters.boundaries.size(); ++k)
+  {
+    const auto &boundary = parameters.boundaries[k];
+    if (boundary.kind == input::BoundaryKind::pressure)
+      throw InputError({"", 0, "Boundaries/" + boundary.name}, "pressure acts on meshes only",
+                       "kind fixed or velocity for particles");
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+    {
+      if (bodies[b].scene != parameters.boundary_bodies[k])
+        continue;
+      const double          inf = std::numeric_limits<double>::infinity();
+      std::array<double, 3> lower{inf, inf, inf}, upper{-inf, -inf, -inf};
+      for (std::size_t i = bodies[b].first; i < bodies[b].last; ++i)
+        for (int a = 0; a < dim; ++a)
+        {
+          lower[a] = std::min(lower[a], store.x[a][i] - .5 * bodies[b].spacing);
+          upper[a] = std::max(upper[a], store.x[a][i] + .5 * bodies[b].spacing);
+        }
+      const Face face(boundary.face, filled[b].shape, lower, upper, dim, boundary.name);
+      for (std::size_t i = bodies[b].first; i < bodies[b].last; ++i)
+      {
+        Vec3 x = Vec3::Zero();
+        for (int a = 0; a < dim; ++a)
+          x[a] = store.x[a][i];
+        if (!face.contains(x, 2 * bodies[b].h))
+          continue;
+        for (int a = 0; a < dim; ++a)
+          if (boundary.kind == input::BoundaryKind::fixed || boundary.fix[a])
+          {
+            store.fixed[i] |= std::int64_t(1) << a;
+            store.prescribed[a][i] = boundary.kind == input::BoundaryKind::fixed ? 0. : boundary.velocity[a];
+            store.v[a][i]          = store.prescribed[a][i];
+          }
+      }
+    }
+  }
+}
+
+/// Gives a particle that would pass a wall the normal velocity that lands it
+/// half a spacing in front of it, and Coulomb friction on the slip.
+template <int dim>
+void Solver<dim>::Implementation::land_on_walls(std::size_t i, const TimeStep &t, double spacing)
+{
+  for (std::size_t w = 0; w < parameters.walls.size(); ++w)
+  {
+    const auto &wall = parameters.walls[w];
+    Vec3        x = Vec3::Zero(), v = Vec3::Zero(), before = Vec3::Zero();
+    for (int a = 0; a < dim; ++a)
+    {
+      x[a]      = store.x[a][i];
+      v[a]      = store.v[a][i];
+      before[a] = energy_records[i * L::energy_stride + L::v + a]; // v_{n-1/2} until the means are taken
+    }
+    const Vec3   end    = wall.point + wall.velocity * (t.time + t.drift);
+    const double excess = (x + t.drift * v - end).dot(wall.normal) - .5 * spacing;
+    if (!(excess < 0))
+      continue;
+    const double push = -excess / t.drift;
+    const Vec3   trial_slip = v - wall.velocity - (v - wall.velocity).dot(wall.normal) * wall.normal;
+    const double slip       = trial_slip.norm();
+    const double brake      = std::min(wall.friction * push, slip);
+    const Vec3   drag       = slip > 0 ? Vec3(-brake / slip * trial_slip) : Vec3(Vec3::Zero());
+    const Vec3   landed     = v + push * wall.normal + drag;
+    const double m          = store.mass[i];
+    const Vec3   mean       = .5 * (before + landed) - wall.velocity;
+    works.external += m * (push * wall.normal + drag).dot(wall.velocity);
+    works.wall_loss -= m * push * wall.normal.dot(mean);
+    works.friction -= m * drag.dot(mean);
+    wall_forces[w] += m * push / t.kick;
+    for (int a = 0; a < dim; ++a)
+      store.v[a][i] = landed[a];
+  }
+}
+
+template <int dim>
+void Solver<dim>::Implementation::kick(const TimeStep &t)
+{
+  std::fill(wall_forces.begin(), wall_forces.end(), 0.);
+  for (const auto &b : bodies)
+    for (std::size_t i = b.first; i < b.last; ++i)
+    {
+      double      *record = &energy_records[i * L::energy_stride];
+      const double m      = store.mass[i];
+      const auto   id     = store.id[i];
+      for (int a = 0; a < dim; ++a)
+      {
+        const double f  = force_sums[i * L::forces_stride + L::f_sum + a] + store.external[a][i];
+        record[L::x + a] = store.x[a][i];
+        record[L::v + a] = store.v[a][i];
+        if (!is_slave.empty() && is_slave[id])
+          store.v[a][i] = slave_velocity[a][id];
+        else if (is_fixed(store.fixed[i], a))
+        {
+          const double mean = .5 * (store.v[a][i] + store.prescribed[a][i]);
+          works.external += (m * (store.prescribed[a][i] - store.v[a][i]) - t.kick * f) * mean;
+          store.v[a][i] = store.prescribed[a][i];
+        }
+        else
+          store.v[a][i] += t.kick * f / m;
+      }
+      if (is_slave.empty() || !is_slave[id])
+        land_on_walls(i, t, b.spacing);
+      for (int a = 0; a < dim; ++a)
+        record[L::v + a] = .5 * (record[L::v + a] + store.v[a][i]);
+      record[L::weight] = weight(i);
+    }
+}
+
+template <int dim>
+StepStatus Solver<dim>::Implementation::drift(double dt)
+{
+  for (const auto &b : bodies)
+    for (std::size_t i = b.first; i < b.last; ++i)
+    {
+      double moved = 0;
+      for (int a = 0; a < dim; ++a)
+      {
+        const double dx = dt * store.v[a][i];
+        store.x[a][i] += dx;
+        store.external[a][i] = 0;
+        moved += dx * dx;
+      }
+      // Written so that a NaN is caught too.
+      if (!(moved < 1e6 * b.h * b.h))
+        return {false, culprit(i, "velocity without bound")};
+    }
+  return {};
+}
+
+#define OGIVE_INSTANTIATE(d)                                                                                 \
+  template void       Solver<d>::Implementation::mark_boundaries(const std::vector<BodyParticles<d>> &);     \
+  template void       Solver<d>::Implementation::land_on_walls(std::size_t, const TimeStep &, double);       \
+  template void       Solver<d>::Implementation::kick(const TimeStep &);                                     \
+  template StepStatus Solver<d>::Implementation::drift(double);
+OGIVE_INSTANTIATE(1)
+OGIVE_INSTANTIATE(2)
+OGIVE_INSTANTIATE(3)
+#undef OGIVE_INSTANTIATE
+} // namespace ogive::sph

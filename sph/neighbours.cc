@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sph/neighbours.h"
+
+#include "core/base/simd.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ogive::sph
+{
+namespace
+{
+/// A regular grid of cells over the points, points sorted by cell (x fastest,
+/// so that neighbouring cells along x are one run).
+template <int dim>
+struct Cells
+{
+  std::array<double, dim>             lower{};
+  std::array<std::int64_t, dim>       n{};
+  double                              edge = 0;
+  std::vector<std::uint32_t>          start, point;
+  std::array<std::vector<double>, dim> x; ///< in the order of the cells
+
+  std::int64_t coordinate(double at, int d) const
+  {
+    return std::clamp<std::int64_t>(static_cast<std::int64_t>((at - lower[d]) / edge), 0, n[d] - 1);
+  }
+};
+
+template <int dim>
+Cells<dim> sort_into_cells(const std::array<std::span<const double>, dim> &x,
+                           const std::vector<std::uint32_t> &points, double radius)
+{
+  Cells<dim>              c;
+  std::array<double, dim> upper;
+  for (int d = 0; d < dim; ++d)
+  {
+    c.lower[d] = std::numeric_limits<double>::max();
+    upper[d]   = std::numeric_limits<double>::lowest();
+    for (const auto p : points)
+    {
+      c.lower[d] = std::min(c.lower[d], x[d][p]);
+      upper[d]   = std::max(upper[d], x[d][p]);
+    }
+  }
+  // Fragments flown far apart must not ask for a grid without bound.
+  const double most = 32. * points.size() + 64;
+  for (c.edge = radius;; c.edge *= 2)
+  {
+    double total = 1;
+    for (int d = 0; d < dim; ++d)
+      total *= std::floor((upper[d] - c.lower[d]) / c.edge) + 1;
+    if (total <= most)
+      break;
+  }
+  std::size_t total = 1;
+  for (int d = 0; d < dim; ++d)
+  {
+    c.n[d] = static_cast<std::int64_t>((upper[d] - c.lower[d]) / c.edge) + 1;
+    total *= c.n[d];
+  }
+  std::vector<std::uint32_t> cell(points.size());
+  c.start.assign(total + 1, 0);
+  for (std::size_t k = 0; k < points.size(); ++k)
+  {
+    std::int64_t key = 0;
+    for (int d = dim - 1; d >= 0; --d)
+      key = key * c.n[d] + c.coordinate(x[d][points[k]], d);
+    cell[k] = static_cast<std::uint32_t>(key);
+    ++c.start[key + 1];
+  }
+  for (std::size_t k = 0; k < total; ++k)
+    c.start[k + 1] += c.start[k];
+  std::vector<std::uint32_t> next(c.start.begin(), c.start.end() - 1);
+  c.point.resize(points.size());
+  // The filling lets whole registers be read past the last point.
+  for (auto &a : c.x)
+    a.assign(points.size() + simd_width, std::numeric_limits<double>::max() / 4);
+  for (std::size_t k = 0; k < points.size(); ++k)
+  {
+    const std::uint32_t to = next[cell[k]]++;
+    c.point[to]            = points[k];
+    for (int d = 0; d < dim; ++d)
+      c.x[d][to] = x[d][points[k]];
+  }
+  return c;
+}
+
+/// Appends what lies within the radius among the sorted points [from, to).
+template <int dim>
+void scan_run(const Cells<dim> &c, const std::array<double, dim> &at, std::uint32_t from, std::uint32_t to,
+              double radius2, std::uint32_t self, NeighbourRows &rows)
+{
+  for (std::uint32_t k = from; k < to; k += simd_width)
+  {
+    VDouble r2 = 0.;
+    for (int d = 0; d < dim; ++d)
+    {
+      const VDouble dx = VDouble(c.x[d].data() + k, stdx::element_aligned) - at[d];
+      r2 += dx * dx;
+    }
+    const VMask near = r2 < radius2;
+    if (stdx::none_of(near))
+      continue;
+    const std::uint32_t end = std::min<std::uint32_t>(simd_width, to - k);
+    for (std::uint32_t l = 0; l < end; ++l)
+      if (near[l] && c.point[k + l] != self)
+        rows.index.push_back(c.point[k + l]);
+  }
+}
+} // namespace
+
+template <int dim>
+void append_rows(const std::array<std::span<const double>, dim> &x, std::size_t first, std::size_t last,
+                 std::size_t first_ghost, std::size_t last_ghost, double radius, std::uint32_t dummy,
+                 NeighbourRows &rows)
+{
+  std::vector<std::uint32_t> points;
+  for (std::size_t i = first; i < last; ++i)
+    points.push_back(static_cast<std::uint32_t>(i));
+  for (std::size_t i = first_ghost; i < last_ghost; ++i)
+    points.push_back(static_cast<std::uint32_t>(i));
+  if (first == last)
+    return;
+  const Cells<dim> c = sort_into_cells<dim>(x, points, radius);
+  for (std::size_t i = first; i < last; ++i)
+  {
+    std::array<double, dim>                      at;
+    std::array<std::array<std::int64_t, 2>, 3>   range{};
+    for (int d = 0; d < dim; ++d)
+    {
+      at[d]                   = x[d][i];
+      const std::int64_t home = c.coordinate(at[d], d);
+      range[d]                = {std::max<std::int64_t>(home - 1, 0), std::min(home + 1, c.n[d] - 1)};
+    }
+    for (std::int64_t z = range[2][0]; z <= range[2][1]; ++z)
+      for (std::int64_t y = range[1][0]; y <= range[1][1]; ++y)
+      {
+        std::int64_t base = 0;
+        if constexpr (dim > 2)
+          base = z * c.n[1];
+        if constexpr (dim > 1)
+          base = (base + y) * c.n[0];
+        scan_run<dim>(c, at, c.start[base + range[0][0]], c.start[base + range[0][1] + 1], radius * radius,
+                      static_cast<std::uint32_t>(i), rows);
+      }
+    rows.pairs += rows.index.size() - rows.row.back();
+    while (rows.index.size() % simd_width != 0)
+      rows.index.push_back(dummy);
+    rows.row.push_back(rows.index.size());
+  }
+}
+
+template <int dim>
+std::vector<std::uint32_t> morton_order(const std::array<std::span<const double>, dim> &x, std::size_t first,
+                                        std::size_t last, double cell, std::span<const std::int64_t> id)
+{
+  std::array<double, dim> lower;
+  lower.fill(std::numeric_limits<double>::max());
+  for (int d = 0; d < dim; ++d)
+    for (std::size_t i = first; i < last; ++i)
+      lower[d] = std::min(lower[d], x[d][i]);
+  struct Entry
+  {
+    std::uint64_t key;
+    std::int64_t  id;
+    std::uint32_t index;
+    bool operator<(const Entry &o) const { return key != o.key ? key < o.key : id < o.id; }
+  };
+  constexpr int      bits = 63 / dim < 31 ? 63 / dim : 31;
+  std::vector<Entry> entries;
+  for (std::size_t i = first; i < last; ++i)
+  {
+    std::uint64_t key = 0;
+    for (int d = 0; d < dim; ++d)
+    {
+      const double        steps = std::min((x[d][i] - lower[d]) / cell, static_cast<double>((1u << bits) - 1));
+      const std::uint64_t q     = static_cast<std::uint64_t>(steps);
+      for (int b = 0; b < bits; ++b)
+        key |= ((q >> b) & 1) << (b * dim + d);
+    }
+    entries.push_back({key, id[i], static_cast<std::uint32_t>(i)});
+  }
+  std::sort(entries.begin(), entries.end());
+  std::vector<std::uint32_t> order;
+  for (const auto &e : entries)
+    order.push_back(e.index);
+  return order;
+}
+
+#define OGIVE_INSTANTIATE(d)                                                                                 \
+  template void append_rows<d>(const std::array<std::span<const double>, d> &, std::size_t, std::size_t,     \
+                               std::size_t, std::size_t, double, std::uint32_t, NeighbourRows &);            \
+  template std::vector<std::uint32_t> morton_order<d>(const std::array<std::span<const double>, d> &,        \
+                                                      std::size_t, std::size_t, double,                      \
+                                                      std::span<const std::int64_t>);
+OGIVE_INSTANTIATE(1)
+OGIVE_INSTANTIATE(2)
+OGIVE_INSTANTIATE(3)
+#undef OGIVE_INSTANTIATE
+} // namespace ogive::sph

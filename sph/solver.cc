@@ -1,0 +1,347 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sph/solver.h"
+
+#include "core/base/error.h"
+#include "sph/implementation.h"
+#include "sph/kernels/kernels.h"
+#include "sph/state.h"
+#include "sph/viscosity/monaghan.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+
+namespace ogive::sph
+{
+namespace
+{
+/// Share of h that particles may move apart before the lists are built again.
+constexpr double skin_over_h = .12;
+
+void check(const input::SphOptions &o)
+{
+  const auto fail = [](const char *entry, const std::string &value, const char *expected) {
+    throw InputError({"", 0, std::string("Sph/") + entry}, "unknown value \"" + value + "\"", expected);
+  };
+  if (o.form != "standard" && o.form != "corrected")
+    fail("form", o.form, "standard or corrected");
+  if (o.viscosity != Monaghan::name)
+    fail("viscosity", o.viscosity, "monaghan");
+  if (o.correction != "none" && o.correction != "pairwise")
+    fail("correction", o.correction, "none or pairwise");
+  if (!(o.h_over_dx >= .6 && o.h_over_dx <= 4))
+    throw InputError({"", 0, "Sph/h over spacing"}, "out of range", "a number from .6 to 4");
+  if (!(o.correction_support > 0 && o.correction_support <= 4))
+    throw InputError({"", 0, "Sph/correction support"}, "out of range", "a number > 0 and <= 4");
+}
+} // namespace
+
+template <int dim>
+Solver<dim>::Implementation::Implementation(const Parameters &p, std::vector<BodyParticles<dim>> filled)
+  : parameters(p)
+  , standard(p.options.form == "standard")
+  , correction(p.options.correction == "pairwise")
+{
+  const auto &o = p.options;
+  check(o);
+  require(p.boundaries.size() == p.boundary_bodies.size(), "one body per boundary");
+  shares        = lattice_shares<dim>(o);
+  std::size_t n = 0;
+  for (const auto &f : filled)
+  {
+    Body b;
+    b.scene    = f.body;
+    b.first    = n;
+    b.last     = n += f.x.size();
+    b.spacing  = f.spacing;
+    b.h        = o.h_over_dx * f.spacing;
+    b.skin     = skin_over_h * b.h;
+    b.material = f.material;
+    b.list_radius = 2 * b.h * (correction ? std::max(1., o.correction_support) : 1.) + b.skin;
+    b.self_value  = with_kernel(o.kernel, [&](auto k) {
+      return KernelAt<decltype(k), dim>(b.h * o.correction_support).value(0.);
+    });
+    b.sweeps = choose_sweeps<dim>({standard, correction, f.material->parameters().damage.law != "none"}, o.kernel);
+    bodies.push_back(b);
+  }
+  store.resize(n);
+  correction_norm.resize(n, 1.);
+  radius.resize(n);
+  near_surface.resize(n, 0);
+  gradient_sums.resize(n * L::gradient_stride);
+  force_sums.resize(n * L::forces_stride);
+  power_sums.resize(n * L::powers_stride);
+  wall_forces.resize(p.walls.size());
+  for (std::size_t k = 0; k < bodies.size(); ++k)
+  {
+    const auto &b = bodies[k];
+    for (std::size_t i = b.first; i < b.last; ++i)
+    {
+      for (int a = 0; a < dim; ++a)
+      {
+        store.x[a][i] = store.x0[a][i] = filled[k].x[i - b.first][a];
+        store.v[a][i]                  = filled[k].v[i - b.first][a];
+      }
+      store.mass[i] = filled[k].mass[i - b.first];
+      store.id[i]   = static_cast<std::int64_t>(i);
+      store.body[i] = b.scene;
+    }
+    b.material->initialise(store.points, b.first, b.last);
+  }
+  store.swept_density = store.points.density;
+  mark_boundaries(filled);
+  sort_particles();
+  rebuild_lists();
+  const StepStatus status = advance_material(0);
+  require(status.ok, "the first state is not sound");
+  find_surface();
+  forces();
+}
+
+template <int dim>
+Solver<dim>::Implementation::~Implementation() = default;
+
+template <int dim>
+Solver<dim>::Solver(const Parameters &p, std::vector<BodyParticles<dim>> filled)
+  : self_(std::make_unique<Implementation>(p, std::move(filled)))
+{}
+
+template <int dim>
+Solver<dim>::~Solver() = default;
+
+template <int dim>
+StepStatus Solver<dim>::step(const TimeStep &t)
+{
+  auto &s = *self_;
+  s.kick(t);
+  s.energy(t.kick);
+  StepStatus status = s.drift(t.drift);
+  if (!status.ok)
+    return status;
+  if (s.lists_are_stale())
+  {
+    s.sort_particles();
+    s.rebuild_lists();
+    s.surface_stale = true;
+  }
+  s.store.swept_density = s.store.points.density;
+  status                = s.advance_material(t.drift);
+  if (!status.ok)
+    return status;
+  if (s.surface_stale)
+    s.find_surface();
+  s.forces();
+  s.updates += s.store.size();
+  return {};
+}
+
+template <int dim>
+StepLimit Solver<dim>::stable_dt() const
+{
+  using L         = Layout<dim>;
+  const auto &s   = *self_;
+  StepLimit   limit;
+  std::size_t who = s.store.size();
+  for (std::size_t i = 0; i < s.store.size(); ++i)
+  {
+    const double *forces = &s.force_sums[i * L::forces_stride];
+    const double  w = s.store.points.sound_speed[i] * s.shares.frequency * s.correction_norm[i] *
+                     s.gradient_sums[i * L::gradient_stride + L::stiffness_sum];
+    const double damping = (s.shares.viscosity * forces[L::viscous_rate] +
+                            s.shares.hourglass * forces[L::hourglass_rate]) /
+                           s.store.mass[i];
+    const double dt = s.parameters.options.step_factor * largest_step(w, damping);
+    if (dt < limit.dt)
+    {
+      limit.dt = dt;
+      who      = i;
+    }
+  }
+  if (who < s.store.size())
+    limit.culprit = s.culprit(who, "stiffness and viscosity of its pairs");
+  return limit;
+}
+
+template <int dim>
+Surface<dim> Solver<dim>::surface()
+{
+  auto        &s = *self_;
+  Surface<dim> f;
+  f.n = s.store.size();
+  for (int a = 0; a < dim; ++a)
+  {
+    f.x[a]     = s.store.x[a];
+    f.v[a]     = s.store.v[a];
+    f.force[a] = s.store.external[a];
+  }
+  f.mass           = s.store.mass;
+  f.body           = s.store.body;
+  f.id             = s.store.id;
+  f.contact_points = s.contact_points;
+  f.radius         = s.radius;
+  f.topology       = s.topology;
+  return f;
+}
+
+template <int dim>
+Balance Solver<dim>::balance() const
+{
+  const auto &s = *self_;
+  Balance     b;
+  double      internal = 0;
+  for (std::size_t i = 0; i < s.store.size(); ++i)
+  {
+    const double m = s.store.mass[i];
+    internal += m * s.store.points.energy[i];
+    b.plastic_work += m * s.store.points.plastic_work[i];
+    b.viscosity_heat += m * s.store.viscosity_heat[i];
+    b.hourglass_sph += m * s.store.hourglass_heat[i];
+    if (!s.is_slave.empty() && s.is_slave[s.store.id[i]])
+      continue;
+    Vec3 x = Vec3::Zero(), v = Vec3::Zero();
+    for (int a = 0; a < dim; ++a)
+    {
+      x[a] = s.store.x[a][i];
+      v[a] = s.store.v[a][i];
+    }
+    b.mass += m;
+    b.momentum += m * v;
+    b.angular_momentum += m * x.cross(v);
+    b.kinetic += .5 * m * v.squaredNorm();
+  }
+  b.elastic       = internal - b.plastic_work - b.viscosity_heat - b.hourglass_sph;
+  b.external_work = s.works.external;
+  b.wall_loss     = s.works.wall_loss;
+  b.friction_heat = s.works.friction;
+  return b;
+}
+
+template <int dim>
+Sample Solver<dim>::sample(int body) const
+{
+  const auto &s = *self_;
+  Sample      out;
+  for (const auto &b : s.bodies)
+  {
+    if (b.scene != body)
+      continue;
+    const auto take = [&](const AlignedVector<double> &from, std::vector<double> &to) {
+      to.assign(from.begin() + b.first, from.begin() + b.last);
+    };
+    const auto &p = s.store.points;
+    for (int a = 0; a < 3; ++a)
+    {
+      for (auto *to : {&out.x[a], &out.x0[a], &out.v[a]})
+        to->assign(b.last - b.first, 0.);
+      if (a >= dim)
+        continue;
+      take(s.store.x[a], out.x[a]);
+      take(s.store.x0[a], out.x0[a]);
+      take(s.store.v[a], out.v[a]);
+    }
+    out.centre  = out.x;
+    out.centre0 = out.x0;
+    take(s.store.mass, out.mass);
+    out.radius.assign(b.last - b.first, .5 * b.spacing);
+    out.id.assign(s.store.id.begin() + b.first, s.store.id.begin() + b.last);
+    for (int c = 0; c < 6; ++c)
+      take(p.sigma[c], out.sigma[c]);
+    take(p.density, out.density);
+    take(p.energy, out.energy);
+    take(p.plastic_strain, out.plastic_strain);
+    take(p.damage, out.damage);
+    take(p.temperature, out.temperature);
+    for (std::size_t i = b.first; i < b.last; ++i)
+      out.volume.push_back(s.store.mass[i] / p.density[i]);
+  }
+  return out;
+}
+
+template <int dim>
+std::size_t Solver<dim>::size() const
+{
+  return self_->store.size();
+}
+template <int dim>
+std::uint64_t Solver<dim>::updates() const
+{
+  return self_->updates;
+}
+template <int dim>
+double Solver<dim>::wall_force(std::size_t w) const
+{
+  return self_->wall_forces.at(w);
+}
+template <int dim>
+std::span<const std::uint32_t> Solver<dim>::index_of_id() const
+{
+  return self_->index_of_id;
+}
+template <int dim>
+Diagnostics Solver<dim>::diagnostics() const
+{
+  return self_->diagnostics;
+}
+
+template <int dim>
+void Solver<dim>::set_slaves(std::span<const std::int64_t> ids)
+{
+  auto &s = *self_;
+  s.slave_ids.assign(ids.begin(), ids.end());
+  s.is_slave.assign(ids.empty() ? 0 : s.store.size(), 0);
+  for (const auto id : ids)
+    s.is_slave.at(id) = 1;
+  for (auto &v : s.slave_velocity)
+    v.assign(s.is_slave.size(), 0.);
+  for (std::size_t i = 0; i < s.is_slave.size(); ++i)
+    for (int a = 0; a < dim; ++a)
+      s.slave_velocity[a][s.store.id[i]] = s.store.v[a][i];
+}
+
+template <int dim>
+void Solver<dim>::drive_slaves(const std::array<std::span<const double>, dim> &velocity)
+{
+  auto &s = *self_;
+  for (int a = 0; a < dim; ++a)
+    for (std::size_t k = 0; k < s.slave_ids.size(); ++k)
+      s.slave_velocity[a][s.slave_ids[k]] = velocity[a][k];
+}
+
+template <int dim>
+void Solver<dim>::slave_forces(const std::array<std::span<double>, dim> &force) const
+{
+  using L       = Layout<dim>;
+  const auto &s = *self_;
+  for (std::size_t k = 0; k < s.slave_ids.size(); ++k)
+  {
+    const std::size_t i = s.index_of_id[s.slave_ids[k]];
+    for (int a = 0; a < dim; ++a)
+      force[a][k] = s.force_sums[i * L::forces_stride + L::f_sum + a] + s.store.external[a][i];
+  }
+}
+
+template <int dim>
+void Solver<dim>::snapshot()
+{
+  self_->keep();
+}
+template <int dim>
+void Solver<dim>::restore()
+{
+  self_->go_back();
+}
+template <int dim>
+void Solver<dim>::save(ArchiveWriter &out, const std::string &prefix) const
+{
+  self_->write(out, prefix);
+}
+template <int dim>
+void Solver<dim>::load(const ArchiveReader &in, const std::string &prefix)
+{
+  self_->read(in, prefix);
+}
+
+template class Solver<1>;
+template class Solver<2>;
+template class Solver<3>;
+} // namespace ogive::sph

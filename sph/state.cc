@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sph/state.h"
+
+#include "core/base/error.h"
+
+namespace ogive::sph
+{
+/// Lists from the positions they were built at, then gradients and forces at
+/// the state in place: every number that a step reads comes back to the bit.
+template <int dim>
+void Solver<dim>::Implementation::follow(bool lists)
+{
+  if (lists)
+    rebuild_lists();
+  advance_material(0);
+  contact_points.clear();
+  for (std::size_t i = 0; i < store.size(); ++i)
+    if (near_surface[i])
+      contact_points.push_back(static_cast<std::uint32_t>(i));
+  surface_stale = false;
+  forces();
+}
+
+template <int dim>
+void Solver<dim>::Implementation::keep()
+{
+  if (!kept)
+    kept = std::make_unique<State>();
+  *kept = {store, near_surface, works, wall_forces, updates, topology, diagnostics.rebuilds};
+}
+
+template <int dim>
+void Solver<dim>::Implementation::go_back()
+{
+  require(kept != nullptr, "restore without a snapshot");
+  const bool lists = diagnostics.rebuilds != kept->rebuilds;
+  store            = kept->store;
+  near_surface     = kept->near_surface;
+  works            = kept->works;
+  wall_forces      = kept->wall_forces;
+  updates          = kept->updates;
+  if (topology != kept->topology)
+    kept->topology = ++topology;
+  follow(lists);
+  kept->rebuilds = diagnostics.rebuilds;
+}
+
+template <int dim>
+void Solver<dim>::Implementation::write(ArchiveWriter &out, const std::string &prefix)
+{
+  store.for_each_array([&](const std::string &name, const auto &a) {
+    out.write(prefix + "/" + name, std::span<const double>(a.data(), a.size()));
+  });
+  out.write(prefix + "/id", std::span<const std::int64_t>(store.id));
+  out.write(prefix + "/fixed", std::span<const std::int64_t>(store.fixed));
+  out.write(prefix + "/near_surface", std::span<const std::int64_t>(near_surface));
+  const double work[3] = {works.external, works.wall_loss, works.friction};
+  out.write(prefix + "/works", std::span<const double>(work, 3));
+  out.write(prefix + "/wall_forces", std::span<const double>(wall_forces));
+  out.write(prefix + "/updates", static_cast<std::int64_t>(updates));
+}
+
+template <int dim>
+void Solver<dim>::Implementation::read(const ArchiveReader &in, const std::string &prefix)
+{
+  const auto fit = [&](const std::string &name, std::size_t have, std::size_t want) {
+    if (have != want)
+      throw InputError({"", 0, prefix + "/" + name}, "the checkpoint holds " + std::to_string(have) +
+                                                       " entries, the scene makes " + std::to_string(want));
+  };
+  const auto integers = [&](const std::string &name, std::vector<std::int64_t> &to) {
+    const auto from = in.integers(prefix + "/" + name);
+    fit(name, from.size(), to.size());
+    to = from;
+  };
+  store.for_each_array([&](const std::string &name, auto &a) {
+    const auto from = in.doubles(prefix + "/" + name);
+    fit(name, from.size(), a.size());
+    a.assign(from.begin(), from.end());
+  });
+  integers("id", store.id);
+  integers("fixed", store.fixed);
+  integers("near_surface", near_surface);
+  const auto work = in.doubles(prefix + "/works");
+  fit("works", work.size(), 3);
+  works           = {work[0], work[1], work[2]};
+  wall_forces     = in.doubles(prefix + "/wall_forces");
+  fit("wall_forces", wall_forces.size(), parameters.walls.size());
+  updates = static_cast<std::uint64_t>(in.integer(prefix + "/updates"));
+  ++topology;
+  follow(true);
+}
+
+#define OGIVE_INSTANTIATE(d)                                                                                 \
+  template void Solver<d>::Implementation::follow(bool);                                                     \
+  template void Solver<d>::Implementation::keep();                                                           \
+  template void Solver<d>::Implementation::go_back();                                                        \
+  template void Solver<d>::Implementation::write(ArchiveWriter &, const std::string &);                      \
+  template void Solver<d>::Implementation::read(const ArchiveReader &, const std::string &);
+OGIVE_INSTANTIATE(1)
+OGIVE_INSTANTIATE(2)
+OGIVE_INSTANTIATE(3)
+#undef OGIVE_INSTANTIATE
+} // namespace ogive::sph

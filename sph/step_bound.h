@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "core/input/scene.h"
+
+namespace ogive::sph
+{
+/// Shares of the Gershgorin sums that the worst wave on the particle lattice
+/// reaches, from a scan of the Brillouin zone. The sums alone are a bound
+/// without proof of sharpness (in 3-D they give less than half of the step that
+/// is stable); scaled by these shares they are exact on the lattice and follow
+/// density, compression and missing neighbours particle by particle.
+///  frequency  max_k |sum V sin(k.x) gradW| / sum V |gradW|
+///  viscosity  max_k lambda_max(sum c_j n n^T (1 - cos k.x)) / sum c_j, c_j of
+///             the viscous pair force, with the correction times its filter
+///  hourglass  the same for the hourglass control, which no filter touches
+struct LatticeShares
+{
+  double frequency = 1, viscosity = 1, hourglass = 1;
+};
+template <int dim>
+LatticeShares lattice_shares(const input::SphOptions &);
+
+/// Largest dt with dt^2 w^2/4 + dt D/2 <= 1; w in rad/s, D in 1/s.
+double largest_step(double w, double damping);
+} // namespace ogive::sph
