@@ -24,12 +24,21 @@ public:
 
   explicit InputError(const std::string &what_is_wrong)
     : std::runtime_error(what_is_wrong)
+    , complaint_(what_is_wrong)
   {}
 
   InputError(const Where &where, const std::string &what_is_wrong, const std::string &expected = {},
              const std::string &suggestion = {})
     : std::runtime_error(compose(where, what_is_wrong, expected, suggestion))
+    , where_(where)
+    , complaint_(compose({}, what_is_wrong, expected, suggestion))
   {}
+
+  /// Where the mistake stands; empty if whoever found it could not know.
+  const Where &where() const { return where_; }
+
+  /// The message without the place, for those who know the place better.
+  const std::string &complaint() const { return complaint_; }
 
 private:
   static std::string compose(const Where &w, const std::string &wrong, const std::string &expected,
@@ -49,6 +58,9 @@ private:
       s += "; " + suggestion;
     return s;
   }
+
+  Where       where_;
+  std::string complaint_;
 };
 
 /// A run that cannot go on. The command ends with exit status 1.

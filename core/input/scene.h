@@ -19,7 +19,8 @@ enum class Dimension
   axisymmetric,  ///< x = r, y = z (axis); whole ring
   three_d
 };
-int space_dimension(Dimension); ///< 1, 2, 2, 3
+int         space_dimension(Dimension); ///< 1, 2, 2, 3
+std::string describe(Dimension);        ///< as in a scene file: "plane-strain"
 
 enum class Method
 {

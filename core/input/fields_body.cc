@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/input/scene_fields.h"
+
+namespace ogive::input
+{
+namespace
+{
+/// Shapes of the subsection to which an entry applies in this dimension.
+Use with(std::vector<std::string> shapes)
+{
+  return {"shape", std::move(shapes)};
+}
+
+void round_fields(Fields &f, Shape &s, Dimension dimension)
+{
+  const bool flat = dimension == Dimension::plane_strain;
+  // in plane strain discs and rings are circles in the plane: no axis, no thickness
+  const std::vector<std::string> along =
+    flat ? std::vector<std::string>{"cylinder"} : std::vector<std::string>{"cylinder", "disc", "ring"};
+  const std::vector<std::string> plates =
+    flat ? std::vector<std::string>{"none"} : std::vector<std::string>{"disc", "ring"};
+
+  f.vector({"base", "centre of the face that the axis leaves from; centre of a sphere, shell or plane circle",
+            Need::mandatory, with({"cylinder", "disc", "ring", "sphere", "shell"})},
+           s.base, units::length);
+  f.direction({"axis", "direction of the axis; a nose points along it", Need::optional, with(along)}, s.axis);
+  f.quantity({"inner radius", "inner radius", Need::mandatory, with({"ring", "shell"})}, s.inner_radius, units::length,
+             bounds::positive);
+  f.quantity({"radius", "outer radius", Need::mandatory, with({"cylinder", "disc", "ring", "sphere", "shell"})},
+             s.radius, units::length, bounds::positive);
+  f.quantity({"length", "length along the axis, without the nose", Need::mandatory, with({"cylinder"})}, s.length,
+             units::length, bounds::positive);
+  f.quantity({"thickness", "extent along the axis", Need::mandatory, with(plates)}, s.length, units::length,
+             bounds::positive);
+  f.choice({"nose", "form of the front", Need::optional, with({"cylinder"})}, s.nose,
+           {{"blunt", Nose::blunt},
+            {"hemispherical", Nose::hemispherical},
+            {"conical", Nose::conical},
+            {"ogive", Nose::ogive}});
+  f.quantity({"nose length", "length of the nose", Need::mandatory, {"nose", {"conical", "ogive"}}}, s.nose_length,
+             units::length, bounds::positive);
+}
+
+void shape_fields(Fields &f, Shape &s, Dimension dimension)
+{
+  f.choice({"shape", "what the body looks like", Need::mandatory}, s.kind,
+           {{"box", ShapeKind::box},
+            {"cylinder", ShapeKind::cylinder},
+            {"disc", ShapeKind::disc},
+            {"ring", ShapeKind::ring},
+            {"sphere", ShapeKind::sphere},
+            {"shell", ShapeKind::shell},
+            {"mesh", ShapeKind::mesh}});
+  f.vector({"lower", "corner with the least coordinates", Need::mandatory, with({"box"})}, s.lower, units::length);
+  f.vector({"upper", "corner with the greatest coordinates", Need::mandatory, with({"box"})}, s.upper, units::length);
+  round_fields(f, s, dimension);
+  f.text({"mesh file", "mesh of quadrilaterals or hexahedra, seen from the scene file", Need::mandatory, with({"mesh"})},
+         s.mesh_file, "a file name");
+}
+} // namespace
+
+void body_fields(Fields &f, Body &b, Dimension dimension)
+{
+  shape_fields(f, b.shape, dimension);
+  f.text({"material", "name of a material, from the library or from \"materials\"", Need::mandatory}, b.material,
+         "the name of a material");
+  f.choice({"method", "how the body is computed: elements or particles", Need::mandatory}, b.method,
+           {{"fem", Method::fem}, {"sph", Method::sph}});
+  f.quantity({"spacing", "distance of particles, or element edge", Need::mandatory}, b.spacing, units::length,
+             bounds::positive);
+  f.quantity({"spacing far", "element edge at the outer radius of a disc or ring, or at the far end; 0: as spacing",
+              Need::optional,
+              {"method", {"fem"}}},
+             b.spacing_far, units::length, bounds::not_negative);
+  f.vector({"velocity", "initial velocity"}, b.velocity, units::velocity);
+  f.vector({"spin", "initial spin about the centre of mass"}, b.spin, units::rate);
+
+  std::string field = b.velocity_field.empty() ? "none" : b.velocity_field;
+  f.choice({"velocity field", "initial velocity beyond translation and spin"}, field,
+           {"none", "radial-inverse", "radial-inverse-square", "twist", "bend", "bending-mode"});
+  b.velocity_field = field == "none" ? "" : field;
+  f.quantity({"field speed",
+              "speed of the velocity field",
+              Need::mandatory,
+              {"velocity field", {"radial-inverse", "radial-inverse-square", "twist", "bend", "bending-mode"}}},
+             b.velocity_field_speed, units::velocity);
+}
+} // namespace ogive::input

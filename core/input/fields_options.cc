@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/input/scene_fields.h"
+
+namespace ogive::input
+{
+namespace
+{
+void sph_fields(Fields &f, SphOptions &o)
+{
+  f.choice({"form", "discrete form of the equations"}, o.form, {"standard", "corrected"});
+  f.choice({"kernel", "smoothing kernel"}, o.kernel, {"cubic", "wendland-c2"});
+  f.number({"h over dx", "smoothing length over particle spacing"}, o.h_over_dx, Bound{.8, 2.5});
+  f.choice({"viscosity", "artificial viscosity"}, o.viscosity, {"monaghan"});
+  f.number({"alpha", "linear coefficient of the viscosity"}, o.alpha, bounds::not_negative);
+  f.number({"beta", "quadratic coefficient of the viscosity"}, o.beta, bounds::not_negative);
+  f.choice({"correction", "acceleration correction of the viscosity"}, o.correction, {"none", "pairwise"});
+  f.number({"correction support", "support of the correction over the smoothing length"}, o.correction_support,
+           Bound{0, 2, true});
+  f.number({"hourglass", "coefficient of the hourglass control"}, o.hourglass, bounds::not_negative);
+  f.number({"step factor", "share of the stability bound"}, o.step_factor, bounds::positive_fraction);
+}
+
+void fem_fields(Fields &f, FemOptions &o)
+{
+  f.choice({"element", "element formulation"}, o.element, {"one-point"});
+  f.choice({"hourglass", "kind of hourglass control"}, o.hourglass, {"stiffness", "viscous"});
+  f.number({"hourglass coefficient", "coefficient of the hourglass control"}, o.hourglass_coefficient,
+           bounds::not_negative);
+  f.number({"bulk quadratic", "quadratic coefficient of the bulk viscosity"}, o.bulk_quadratic, bounds::not_negative);
+  f.number({"bulk linear", "linear coefficient of the bulk viscosity"}, o.bulk_linear, bounds::not_negative);
+  f.number({"step factor", "share of the stability bound"}, o.step_factor, bounds::positive_fraction);
+}
+
+void stop_fields(Fields &f, StopRule &s)
+{
+  f.text({"body", "the run stops early once the velocity of this body no longer changes"}, s.body,
+         "the name of a body");
+  f.number({"tolerance", "relative change of the velocity over the window", Need::optional, {"body", {}}}, s.tolerance,
+           bounds::positive_fraction);
+  f.quantity({"window", "how long the velocity must stay the same", Need::mandatory, {"body", {}}}, s.window,
+             units::time, bounds::positive);
+  s.active = !s.body.empty();
+}
+} // namespace
+
+void option_fields(Fields &f, Scene &scene)
+{
+  f.enter("SPH");
+  sph_fields(f, scene.sph);
+  f.leave();
+
+  f.enter("FEM");
+  fem_fields(f, scene.fem);
+  f.leave();
+
+  f.enter("Stop");
+  stop_fields(f, scene.stop);
+  f.leave();
+
+  f.enter("Limits");
+  f.number({"energy drift", "relative drift of the energy beyond which the run fails"}, scene.limits.energy_drift,
+           bounds::positive);
+  f.number({"smallest step ratio", "share of the first step below which the run fails"},
+           scene.limits.smallest_step_ratio, Bound{0, 1, true, true});
+  f.leave();
+
+  f.enter("Output");
+  f.quantity({"history interval", "time between rows of history.csv; 0: a two-hundredth of the end time"},
+             scene.output.history_interval, units::time, bounds::not_negative);
+  f.quantity({"field interval", "time between stored fields; 0: first and last state only"},
+             scene.output.field_interval, units::time, bounds::not_negative);
+  f.quantity({"checkpoint interval", "time between checkpoints; 0: last state only"}, scene.output.checkpoint_interval,
+             units::time, bounds::not_negative);
+  f.leave();
+}
+} // namespace ogive::input

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/input/quantities.h"
+
+#include <array>
+
+namespace ogive::input
+{
+namespace
+{
+constexpr std::array quantities{
+  ObservedQuantity{"final_length", units::length, true, false, units::none, "extent of the body along the direction"},
+  ObservedQuantity{"foot_radius", units::length, true, false, units::none,
+                   "greatest distance from the axis in the lowest tenth of the body"},
+  ObservedQuantity{"displacement", units::length, true, false, units::none,
+                   "how far the centre of mass has moved along the direction"},
+  ObservedQuantity{"residual_velocity", units::velocity, true, false, units::none,
+                   "velocity of the centre of mass along the direction at the end"},
+  ObservedQuantity{"rebound_velocity", units::velocity, true, false, units::none,
+                   "velocity of the centre of mass along the direction at the end"},
+  ObservedQuantity{"perforated", units::none, true, true, units::velocity,
+                   "1 once the body has passed the point and still moves faster than the parameter, else 0"},
+  ObservedQuantity{"contact_time", units::time, false, false, units::none,
+                   "from the first to the last force of walls and contacts"},
+  ObservedQuantity{"plastic_shock_speed", units::velocity, true, true, units::pressure,
+                   "speed of the foremost place where the axial pressure is the parameter, from the point"},
+  ObservedQuantity{"precursor_speed", units::velocity, true, true, units::pressure,
+                   "as plastic_shock_speed, with the parameter inside the precursor"},
+  ObservedQuantity{"plateau_stress", units::pressure, true, true, units::pressure,
+                   "median axial pressure behind the front, which lies where the pressure is the parameter"},
+  ObservedQuantity{"gauge_velocity", units::velocity, true, false, units::none,
+                   "velocity along the direction of what was nearest to the point"},
+  ObservedQuantity{"gauge_stress", units::pressure, true, false, units::none,
+                   "stress along the direction, tension positive, of what was nearest to the point"},
+  ObservedQuantity{"angular_momentum_drift", units::none, false, false, units::none,
+                   "relative change of the angular momentum of all bodies about the origin"},
+  ObservedQuantity{"energy_kept", units::none, false, false, units::none,
+                   "kinetic plus elastic energy over their sum at the start"},
+  ObservedQuantity{"peak_stress", units::pressure, true, false, units::none, "greatest von Mises stress in the body"},
+  ObservedQuantity{"greatest_damage", units::none, true, false, units::none, "greatest damage in the body"},
+};
+} // namespace
+
+std::span<const ObservedQuantity> observed_quantities()
+{
+  return quantities;
+}
+
+const ObservedQuantity *find_quantity(const std::string &name)
+{
+  for (const ObservedQuantity &q : quantities)
+    if (name == q.name)
+      return &q;
+  return nullptr;
+}
+
+std::vector<std::string> quantity_names()
+{
+  std::vector<std::string> names;
+  for (const ObservedQuantity &q : quantities)
+    names.emplace_back(q.name);
+  return names;
+}
+
+std::string summary_unit(units::Dimension d)
+{
+  return d == units::none ? "1" : units::si_unit(d);
+}
+} // namespace ogive::input
