@@ -174,6 +174,18 @@ TEST(Paths, PrecursorByIntegration)
   EXPECT_NEAR(point.points.plastic_strain[0], 0, 1e-12);
 }
 
+// One elastic shear step e from rest at constant volume: the mean power is
+// s:e/2 = 2 G e^2, half of it is in the energy that the pressure sees, so
+// p = Gamma rho (G e^2/rho) = Gamma G e^2.
+TEST(Paths, PressureSeesHalfTheStressPower)
+{
+  const Parameters p = test::parameters("mie-grueneisen", "elastic");
+  OnePoint         point(p);
+  point.step({0, 0, 0, 0, 3e-3, 0}, 1e-7);
+  const double expected = 1.9 * test::shear_modulus(p) * 9e-6;
+  EXPECT_NEAR(point.pressure(), expected, 1e-9 * expected);
+}
+
 // A block gives what single points give, wherever it starts and however it fills registers.
 TEST(Paths, BlocksEqualSinglePoints)
 {
