@@ -90,14 +90,14 @@ CellName name_of(CellType type)
   throw std::logic_error("no such cell type");
 }
 
-/// XDMF lists a symmetric tensor as xx xy xz yy yz zz.
-std::vector<double> in_xdmf_order(const std::vector<double> &values)
+/// All nine components, row by row: readers disagree on the order of six.
+std::vector<double> full_tensors(const std::vector<double> &values)
 {
-  constexpr std::array<std::size_t, 6> from{0, 3, 5, 1, 4, 2};
-  std::vector<double>                  ordered(values.size());
-  for (std::size_t i = 0; i < values.size(); ++i)
-    ordered[i] = values[i / 6 * 6 + from[i % 6]];
-  return ordered;
+  constexpr std::array<std::size_t, 9> from{0, 3, 5, 3, 1, 4, 5, 4, 2};
+  std::vector<double>                  full(values.size() / 6 * 9);
+  for (std::size_t i = 0; i < full.size(); ++i)
+    full[i] = values[i / 9 * 6 + from[i % 9]];
+  return full;
 }
 
 std::string field_entry(hdf5::File &file, const std::string &group, const Field &field, bool at_cells,
@@ -107,14 +107,12 @@ std::string field_entry(hdf5::File &file, const std::string &group, const Field 
   require(columns == 1 || columns == 3 || columns == 6, "a field has 1, 3 or 6 components");
   require(field.values.size() == rows * columns, "a field has one row a point or cell");
 
-  const std::string place = group + "/" + link_name(field.name);
-  if (columns == 6)
-    file.write(place, in_xdmf_order(field.values), columns, true);
-  else
-    file.write(place, field.values, columns, true);
+  const std::string place  = group + "/" + link_name(field.name);
+  const std::size_t stored = columns == 6 ? 9 : columns;
+  file.write(place, columns == 6 ? full_tensors(field.values) : field.values, stored, true);
   return "<Attribute Name=\"" + escaped(field.name) + "\" AttributeType=\"" +
-         (columns == 1 ? "Scalar" : columns == 3 ? "Vector" : "Tensor6") + "\" Center=\"" +
-         (at_cells ? "Cell" : "Node") + "\">" + data_item("Float", 4, shape(rows, columns), place) +
+         (columns == 1 ? "Scalar" : columns == 3 ? "Vector" : "Tensor") + "\" Center=\"" +
+         (at_cells ? "Cell" : "Node") + "\">" + data_item("Float", 4, shape(rows, stored), place) +
          "</Attribute>\n";
 }
 } // namespace
