@@ -25,8 +25,8 @@ Violations sources_left_out_of_the_build(const Root &root);
 /// Scene folders without scene.prm or README.md.
 Violations incomplete_scenes(const Root &root);
 
-/// Commands in README.md, other than those of the built program, that neither a
-/// script nor CONTRIBUTING's checks hold.
+/// Commands in the sh blocks of README.md that no script holds, but for those of
+/// the built program: another test runs them.
 Violations readme_commands_unknown_to_the_scripts(const Root &root);
 
 /// Source files of 500 lines or more.
