@@ -130,9 +130,7 @@ void check_vectors(const Declarations &declarations, const Listing &listing, Dim
                        "\"" + given->value + "\" has " + std::to_string(n) + " components",
                        std::to_string(dim) + (dim == 3 ? "" : " or 3") + " in a scene of dimension " +
                          describe(dimension));
-    // a spin in the plane turns about an axis out of it
-    const bool out_of_plane_is_right = e.name == "spin";
-    for (std::size_t i = dim; i < n && !out_of_plane_is_right; ++i)
+    for (std::size_t i = dim; i < n; ++i)
       if (units::parse_quantity(split_list(given->value)[i]).value != 0)
         throw InputError(listing.where(e.section, e.name),
                          "\"" + given->value + "\" points out of the space of the scene",

@@ -73,7 +73,11 @@ void body_fields(Fields &f, Body &b, Dimension dimension)
               {"method", {"fem"}}},
              b.spacing_far, units::length, bounds::not_negative);
   f.vector({"velocity", "initial velocity"}, b.velocity, units::velocity);
-  f.vector({"spin", "initial spin about the centre of mass"}, b.spin, units::rate);
+  if (dimension == Dimension::plane_strain)
+    f.quantity({"spin", "initial spin about the centre of mass, about z"}, b.spin.z(), units::rate);
+  else
+    f.vector({"spin", "initial spin about the centre of mass; in plane strain one number, about z"}, b.spin,
+             units::rate);
 
   std::string field = b.velocity_field.empty() ? "none" : b.velocity_field;
   f.choice({"velocity field", "initial velocity beyond translation and spin"}, field,

@@ -71,12 +71,17 @@ materials::Parameters read_material_file(const std::string &file)
   return p;
 }
 
-materials::Parameters read_material(const std::string &name)
+std::string material_file(const std::string &name)
 {
   const std::vector<std::string> known = list_materials();
   if (std::find(known.begin(), known.end(), name) == known.end())
     throw InputError({}, "there is no material \"" + name + "\"", "one of " + join(known), did_you_mean(name, known));
-  return read_material_file((library_directory() / (name + ".prm")).string());
+  return (library_directory() / (name + ".prm")).string();
+}
+
+materials::Parameters read_material(const std::string &name)
+{
+  return read_material_file(material_file(name));
 }
 
 std::vector<std::string> list_materials()

@@ -22,8 +22,11 @@ namespace ogive::input
 /// is added stands in fields.h.
 Scene read_scene(const std::string &file, const std::vector<std::string> &overrides = {});
 
-/// A material of the library. Throws InputError for an unknown name, with the
-/// nearest known one.
+/// The file of a material of the library. Throws InputError for an unknown
+/// name, with the nearest known one.
+std::string material_file(const std::string &name);
+
+/// A material of the library; InputError as material_file().
 materials::Parameters read_material(const std::string &name);
 
 /// A material from a file of the library's form; its name is that of the file.
