@@ -17,13 +17,13 @@ BenchResult bench(int edge, int steps, std::shared_ptr<const materials::Material
   body.name        = "block";
   body.spacing     = spacing;
   body.shape.upper = Vec3::Constant(edge * spacing);
-  body.spin        = Vec3(300., 500., 800.);
+  body.spin        = Vec3(100., 200., 300.);
   auto         particles = fill<3>(body, scene, 0, material);
   const double length    = edge * spacing;
   for (std::size_t i = 0; i < particles.x.size(); ++i)
     for (int a = 0; a < 3; ++a)
-      particles.v[i][a] += 100 * std::cos(2 * M_PI * particles.x[i][(a + 1) % 3] / length) +
-                           60 * std::sin(M_PI * particles.x[i][a] / length);
+      particles.v[i][a] += 30 * std::cos(2 * M_PI * particles.x[i][(a + 1) % 3] / length) +
+                           20 * std::sin(M_PI * particles.x[i][a] / length);
 
   Solver<3> solver({}, {std::move(particles)});
   double    time = 0, last = 0;

@@ -12,7 +12,7 @@ namespace ogive::sph
 /// forces heat half and half, -1/2 F_ij . v_ij. The sum over all particles is
 /// minus the power of the forces, to rounding.
 template <int dim, class Kernel, bool correction, bool damage>
-void energy_sweep(const Sweep &s)
+[[gnu::flatten]] void energy_sweep(const Sweep &s)
 {
   using L = Layout<dim>;
   const KernelAt<Kernel, dim>           kernel(s.h);

@@ -17,7 +17,7 @@ namespace ogive::sph
 /// With damage a pair in tension carries (1 - |D_i - D_j|)^2 of its stress, so
 /// that broken material does not hang on to whole material.
 template <int dim, class Kernel, bool standard, bool correction, bool damage>
-void force_sweep(const Sweep &s)
+[[gnu::flatten]] void force_sweep(const Sweep &s)
 {
   using L                = Layout<dim>;
   constexpr int n_fields = damage ? L::n_force : L::n_force - 1;

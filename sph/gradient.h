@@ -10,7 +10,7 @@ namespace ogive::sph
 /// G = sum V_j (v_j - v_i) (x) gradW, Shepard sum at h_c and sum V_j |gradW|.
 /// The standard form also sums m_j v_ij.gradW, its density rate.
 template <int dim, class Kernel, bool standard>
-void gradient_sweep(const Sweep &s)
+[[gnu::flatten]] void gradient_sweep(const Sweep &s)
 {
   using L = Layout<dim>;
   const KernelAt<Kernel, dim> kernel(s.h), wide(s.h * s.support);

@@ -92,6 +92,7 @@ struct Solver<dim>::Implementation
   // motion.cc
   void       kick(const TimeStep &);
   void       land_on_walls(std::size_t i, const TimeStep &, double spacing);
+  void       stay_on_side(std::size_t i, const TimeStep &);
   StepStatus drift(double dt);
   void       mark_boundaries(const std::vector<BodyParticles<dim>> &);
 

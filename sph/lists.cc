@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sph/implementation.h"
 
-#include <numeric>
+#include <algorithm>
 
 namespace ogive::sph
 {
@@ -10,13 +10,23 @@ bool Solver<dim>::Implementation::lists_are_stale() const
 {
   for (const auto &b : bodies)
   {
+    // A body's translation parts no pair, except from its mirror image.
+    std::array<double, dim> drifted{};
+    for (int a = 0; a < dim; ++a)
+      if (std::none_of(parameters.symmetry.begin(), parameters.symmetry.end(),
+                       [a](const auto &p) { return p.axis == a; }))
+        for (std::size_t i = b.first; i < b.last; ++i)
+          drifted[a] += (store.x[a][i] - store.x_listed[a][i]) / (b.last - b.first);
     const double limit = .25 * b.skin * b.skin;
     double       most  = 0;
     for (std::size_t i = b.first; i < b.last; ++i)
     {
       double d2 = 0;
       for (int a = 0; a < dim; ++a)
-        d2 += (store.x[a][i] - store.x_listed[a][i]) * (store.x[a][i] - store.x_listed[a][i]);
+      {
+        const double d = store.x[a][i] - store.x_listed[a][i] - drifted[a];
+        d2 += d * d;
+      }
       most = d2 > most ? d2 : most;
     }
     if (most > limit)

@@ -57,6 +57,23 @@ void Solver<dim>::Implementation::mark_boundaries(const std::vector<BodyParticle
   }
 }
 
+/// Mirror images repel whole material from a symmetry plane; loose fragments
+/// are stopped on it.
+template <int dim>
+void Solver<dim>::Implementation::stay_on_side(std::size_t i, const TimeStep &t)
+{
+  for (const auto &plane : parameters.symmetry)
+  {
+    const int a = plane.axis;
+    if (!(store.x[a][i] + t.drift * store.v[a][i] < 0))
+      continue;
+    const double landed = -store.x[a][i] / t.drift;
+    const double mean   = .5 * (energy_records[i * L::energy_stride + L::v + a] + landed);
+    works.wall_loss -= store.mass[i] * (landed - store.v[a][i]) * mean;
+    store.v[a][i] = landed;
+  }
+}
+
 /// Gives a particle that would pass a wall the normal velocity that lands it
 /// half a spacing in front of it, and Coulomb friction on the slip.
 template <int dim>
@@ -120,7 +137,10 @@ void Solver<dim>::Implementation::kick(const TimeStep &t)
           store.v[a][i] += t.kick * f / m;
       }
       if (is_slave.empty() || !is_slave[id])
+      {
         land_on_walls(i, t, b.spacing);
+        stay_on_side(i, t);
+      }
       for (int a = 0; a < dim; ++a)
         record[L::v + a] = .5 * (record[L::v + a] + store.v[a][i]);
       record[L::weight] = weight(i);
@@ -152,6 +172,7 @@ StepStatus Solver<dim>::Implementation::drift(double dt)
   template void       Solver<d>::Implementation::mark_boundaries(const std::vector<BodyParticles<d>> &);     \
   template void       Solver<d>::Implementation::land_on_walls(std::size_t, const TimeStep &, double);       \
   template void       Solver<d>::Implementation::kick(const TimeStep &);                                     \
+  template void       Solver<d>::Implementation::stay_on_side(std::size_t, const TimeStep &);                \
   template StepStatus Solver<d>::Implementation::drift(double);
 OGIVE_INSTANTIATE(1)
 OGIVE_INSTANTIATE(2)

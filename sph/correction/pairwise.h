@@ -26,7 +26,7 @@ struct PairwiseCorrection
 };
 
 template <int dim, class Kernel>
-void correction_sweep(const Sweep &s)
+[[gnu::flatten]] void correction_sweep(const Sweep &s)
 {
   using L = Layout<dim>;
   const PairwiseCorrection<dim, Kernel> k{KernelAt<Kernel, dim>(s.h * s.support)};

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "core/materials/material.h"
+#include "sph/fill.h"
+#include "sph/neighbours.h"
+#include "sph/solver.h"
+#include "sph/sweep.h"
+
+#include <Eigen/Dense>
+
+#include <map>
+#include <random>
+
+namespace ogive::sph::test
+{
+inline std::shared_ptr<const materials::Material> material(double density, double bulk, double shear,
+                                                           double yield = materials::none)
+{
+  materials::Parameters p;
+  p.name             = "test";
+  p.density          = density;
+  p.shear_modulus    = shear;
+  p.eos.law          = "linear";
+  p.eos.bulk_modulus = bulk;
+  p.strength.law     = "elastic";
+  if (!std::isnan(yield))
+  {
+    p.strength.law          = "perfect-plastic";
+    p.strength.yield_stress = yield;
+  }
+  return materials::make_material(p);
+}
+
+/// Copper: c_L 4660 m/s.
+inline std::shared_ptr<const materials::Material> copper()
+{
+  return material(8930, 130e9, 48e9);
+}
+
+/// A box of particles, jittered by `jitter` spacings (seeded), at rest.
+template <int dim>
+BodyParticles<dim> box(const Vec3 &lower, const Vec3 &upper, double spacing,
+                       std::shared_ptr<const materials::Material> m, double jitter = 0, unsigned seed = 7,
+                       const std::vector<input::SymmetryPlane> &planes = {})
+{
+  input::Scene scene;
+  scene.symmetry = planes;
+  input::Body body;
+  body.name        = "box";
+  body.spacing     = spacing;
+  body.shape.lower = lower;
+  body.shape.upper = upper;
+  auto                                   p = fill<dim>(body, scene, 0, m);
+  std::mt19937                           random(seed);
+  std::uniform_real_distribution<double> shift(-jitter * spacing, jitter * spacing);
+  for (auto &x : p.x)
+    for (auto &c : x)
+      c += shift(random);
+  return p;
+}
+
+/// Steps with the solver's own bound, time-centred kicks.
+template <int dim>
+struct Runner
+{
+  Solver<dim> &solver;
+  double       time = 0, last = 0;
+
+  StepStatus step(double dt)
+  {
+    const StepStatus status = solver.step({time, .5 * (last + dt), dt});
+    time += dt;
+    last = dt;
+    return status;
+  }
+  StepStatus step() { return step(solver.stable_dt().dt); }
+};
+
+/// Hand-placed particles for one sweep: packs the records, finds the pairs by
+/// brute force within 2h.
+template <int dim>
+struct Cloud
+{
+  using L = Layout<dim>;
+  using V = Eigen::Matrix<double, dim, 1>;
+  using M = Eigen::Matrix<double, dim, dim>;
+
+  double              h;
+  std::vector<V>      x, v;
+  std::vector<double> mass, density;
+  NeighbourRows       rows;
+  Sweep               sweep;
+  AlignedVector<double> force, correction, energy, gradient_sums, force_sums, power_sums, viscosity, hourglass, damage;
+
+  explicit Cloud(const BodyParticles<dim> &p, double h_)
+    : h(h_)
+    , mass(p.mass)
+  {
+    for (std::size_t i = 0; i < p.x.size(); ++i)
+    {
+      x.push_back(Eigen::Map<const V>(p.x[i].data()));
+      v.push_back(V::Zero());
+      density.push_back(p.material->density());
+    }
+  }
+
+  std::size_t size() const { return x.size(); }
+
+  void pack(bool standard = false)
+  {
+    const std::size_t n = size();
+    rows.clear();
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      for (std::size_t j = 0; j < n; ++j)
+        if (j != i && (x[i] - x[j]).norm() < 2 * h)
+          rows.index.push_back(static_cast<std::uint32_t>(j));
+      while (rows.index.size() % simd_width)
+        rows.index.push_back(static_cast<std::uint32_t>(n));
+      rows.row.push_back(rows.index.size());
+    }
+    force.assign((n + 1) * L::force_stride, 0.);
+    correction.assign((n + 1) * L::correction_stride, 0.);
+    energy.assign((n + 1) * L::energy_stride, 0.);
+    gradient_sums.assign(n * L::gradient_stride, 0.);
+    force_sums.assign(n * L::forces_stride, 0.);
+    power_sums.assign(n * L::powers_stride, 0.);
+    for (auto *a : {&viscosity, &hourglass, &damage})
+      a->assign(rows.index.size(), 0.);
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      double *r = &force[i * L::force_stride];
+      for (int a = 0; a < dim; ++a)
+      {
+        r[L::x + a] = x[i][a];
+        r[L::v + a] = v[i][a];
+      }
+      r[L::weight]  = standard ? mass[i] : mass[i] / density[i];
+      r[L::density] = density[i];
+      r[L::sound]   = 4660;
+    }
+    sweep.begin              = 0;
+    sweep.end                = n;
+    sweep.row                = rows.row.data();
+    sweep.index              = rows.index.data();
+    sweep.force_records      = force.data();
+    sweep.correction_records = correction.data();
+    sweep.energy_records     = energy.data();
+    sweep.pair_viscosity     = viscosity.data();
+    sweep.pair_hourglass     = hourglass.data();
+    sweep.pair_damage        = damage.data();
+    sweep.h                  = h;
+    sweep.alpha              = 1;
+    sweep.beta               = 2;
+    sweep.hourglass          = .2;
+  }
+
+  Sweep with(AlignedVector<double> &sums)
+  {
+    sweep.sums = sums.data();
+    return sweep;
+  }
+
+  M moment(std::size_t i) const
+  {
+    M m;
+    for (int a = 0; a < dim; ++a)
+      for (int b = 0; b < dim; ++b)
+        m(a, b) = gradient_sums[i * L::gradient_stride + L::m_sum + L::sym(a, b)];
+    return m;
+  }
+  M difference(std::size_t i) const
+  {
+    M g;
+    for (int a = 0; a < dim; ++a)
+      for (int b = 0; b < dim; ++b)
+        g(a, b) = gradient_sums[i * L::gradient_stride + L::g_sum + a * dim + b];
+    return g;
+  }
+  void set_p(std::size_t i, const M &p)
+  {
+    for (int a = 0; a < dim; ++a)
+      for (int b = 0; b < dim; ++b)
+        force[i * L::force_stride + L::p + a * dim + b] = p(a, b);
+  }
+  void set_rate(std::size_t i, const M &l)
+  {
+    for (int a = 0; a < dim; ++a)
+      for (int b = 0; b < dim; ++b)
+        force[i * L::force_stride + L::rate + L::sym(a, b)] = .5 * (l(a, b) + l(b, a));
+  }
+  V force_on(std::size_t i) const { return Eigen::Map<const V>(&force_sums[i * L::forces_stride + L::f_sum]); }
+};
+
+/// A checkpoint in memory.
+class Memory : public ArchiveWriter, public ArchiveReader
+{
+public:
+  using ArchiveWriter::write;
+  void write(const std::string &name, std::span<const double> v) override
+  {
+    doubles_[name].assign(v.begin(), v.end());
+  }
+  void write(const std::string &name, std::span<const std::int64_t> v) override
+  {
+    integers_[name].assign(v.begin(), v.end());
+  }
+  std::vector<double>       doubles(const std::string &name) const override { return doubles_.at(name); }
+  std::vector<std::int64_t> integers(const std::string &name) const override { return integers_.at(name); }
+
+private:
+  std::map<std::string, std::vector<double>>       doubles_;
+  std::map<std::string, std::vector<std::int64_t>> integers_;
+};
+} // namespace ogive::sph::test
