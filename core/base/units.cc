@@ -102,7 +102,10 @@ std::string similar_symbol(std::string_view name)
   for (const auto &[word, unit] : long_names)
     if (wanted == word || wanted == std::string(word) + "s")
       return std::string(unit);
-  // from large to small prefixes: somebody who writes "mpa" means megapascals
+  // what engineers write most comes first: "mpa" is no millipascal, "MM" no megametre
+  for (const std::string_view common : {"mm", "MPa", "GPa", "kPa", "us", "ms"})
+    if (lower(common) == wanted)
+      return std::string(common);
   for (const Symbol &s : symbols)
     if (lower(s.name) == wanted)
       return std::string(s.name);

@@ -60,6 +60,10 @@ void Declarations::entry(const About &about, const Pattern &pattern, const std::
 
 void Declarations::admit(const Listing &listing)
 {
+  // an empty list leaves its subsections unused: say so where it is empty
+  for (const ListedEntry &e : listing.entries)
+    if (e.value.empty())
+      admit_entry(e);
   for (const ListedSection &s : listing.sections)
     admit_section(s);
   for (const ListedEntry &e : listing.entries)

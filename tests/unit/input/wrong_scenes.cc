@@ -126,7 +126,7 @@ const WrongScene wrong_scenes[] = {
   {"no equals sign", "set title = Test", "set title Test", "set title", "title Test", "no \"=\"", "set NAME = VALUE"},
   {"open subsection", "  set history interval = 1 us\nend\n", "  set history interval = 1 us\n", "", "Output",
    "not closed", "end"},
-  {"end too many", "set alpha = 1.5\nend", "set alpha = 1.5\nend\nend", "end\nend", "end", "no open subsection", ""},
+  {"end too many", "set alpha = 1.5\nend", "set alpha = 1.5\nend\nend", "set alpha = 1.5\nend\nend", "end", "no open subsection", ""},
   {"entry given twice", "set title = Test", "set title = Test\nset title = Again", "Again", "title", "given twice",
    "line 2"},
   // names of entries and subsections
@@ -230,7 +230,7 @@ const WrongScene wrong_scenes[] = {
    "Contacts/strike/between", "tied by the interface \"seam\"", ""},
   {"boundary of no body", "set body = rest\n    set face", "set body = ring\n    set face", "body = ring",
    "Boundaries/clamp/body", "no body \"ring\"", "one of projectile"},
-  {"no such face", "set face = outer", "set face = outter", "face", "Boundaries/clamp/face", "no face \"outter\"",
+  {"no such face", "set face = outer", "set face = outter", "outter", "Boundaries/clamp/face", "no face \"outter\"",
    "did you mean \"outer\"?"},
   {"observer of no body", "set body = rest\n    set parameter", "set body = rast\n    set parameter", "rast",
    "Observers/wave/body", "no body \"rast\"", "did you mean \"rest\"?"},
