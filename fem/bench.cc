@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "fem/bench.h"
+
+#include "core/base/error.h"
+#include "fem/mesh.h"
+#include "fem/solver.h"
+
+#include <chrono>
+
+namespace ogive::fem
+{
+BenchResult bench(unsigned int n, std::size_t steps, std::shared_ptr<const materials::Material> material)
+{
+  input::Scene scene;
+  input::Body  body;
+  body.name        = "block";
+  body.spacing     = 1e-3;
+  body.shape.upper = Vec3::Constant(n * body.spacing);
+  auto mesh        = make_mesh<3>(body, scene, 0, std::move(material));
+  // Strain rates of some 1e4 /s: plastic within microseconds.
+  const double rate = 1e4, middle = .5 * n * body.spacing;
+  for (std::size_t a = 0; a < mesh.n_nodes(); ++a)
+  {
+    const double x = mesh.x[0][a] - middle, y = mesh.x[1][a] - middle, z = mesh.x[2][a];
+    mesh.v[0][a] = -rate * y * z / (2 * middle) - .5 * rate * x;
+    mesh.v[1][a] = rate * x * z / (2 * middle) - .5 * rate * y;
+    mesh.v[2][a] = rate * (z - middle);
+  }
+  std::vector<BodyMesh<3>> meshes;
+  meshes.push_back(std::move(mesh));
+  Solver<3> solver(Parameters{}, std::move(meshes));
+
+  BenchResult result;
+  double      time = 0, last = 0;
+  const auto  start = std::chrono::steady_clock::now();
+  for (result.steps = 0; result.steps < steps; ++result.steps)
+  {
+    const double     dt     = solver.stable_dt().dt;
+    const StepStatus status = solver.step({time, .5 * (last + dt), dt});
+    if (!status.ok)
+      throw RunError(std::string("bench: element ") + std::to_string(status.culprit.id) + ": " +
+                     status.culprit.why);
+    time += dt;
+    last = dt;
+  }
+  result.seconds  = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  result.elements = solver.size();
+  result.element_steps_per_second = double(solver.updates()) / result.seconds;
+  return result;
+}
+} // namespace ogive::fem

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "core/time/time_step.h"
+#include "fem/mesh.h"
+#include "fem/nodes.h"
+#include "fem/solver.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace ogive::fem
+{
+/// Work of the outside on the nodes since the start, J; they enter the books so
+/// that kinetic + internal - external + wall_loss + friction stays constant.
+struct BoundaryWork
+{
+  double external = 0, wall_loss = 0, friction = 0;
+};
+
+/// Prescribed velocity components of nodes: fixed and driven faces, symmetry
+/// planes, the axis of axial symmetry.
+template <int dim>
+class PrescribedMotion
+{
+public:
+  PrescribedMotion() = default;
+  PrescribedMotion(const Parameters &, const std::vector<BodyMesh<dim>> &,
+                   const std::vector<std::size_t> &first_node);
+
+  /// Sets the prescribed components and books the work of the reactions.
+  void apply(Nodes<dim> &, const std::array<AlignedVector<double>, dim> &v_old, BoundaryWork &) const;
+  /// Sets them in the initial velocities.
+  void start(Nodes<dim> &) const;
+  /// True where component `i` of node `node` is prescribed.
+  bool prescribed(std::size_t node, int i) const { return !mask_.empty() && (mask_[node] >> i & 1); }
+
+private:
+  struct Entry
+  {
+    std::uint32_t           node;
+    std::array<double, dim> velocity; ///< m/s, of the prescribed components
+  };
+  void set(std::uint32_t node, int component, double velocity);
+
+  std::vector<unsigned char> mask_; ///< bit i: component i, one entry a node
+  std::vector<Entry>         entries_;
+  std::vector<std::int64_t>  entry_of_; ///< index into entries_, -1 for none
+};
+
+/// Constant pressures on faces, as nodal forces of the present shape.
+template <int dim>
+class Pressures
+{
+public:
+  Pressures() = default;
+  Pressures(const Parameters &, const std::vector<BodyMesh<dim>> &, const std::vector<std::size_t> &first_node);
+
+  bool empty() const { return loads_.empty(); }
+  /// Adds the forces at nodes.x to `force`, N.
+  void add(const Nodes<dim> &, std::array<AlignedVector<double>, dim> &force) const;
+
+private:
+  struct Load
+  {
+    typename BodyMesh<dim>::Facet facet; ///< nodes counted among all of the solver
+    double                        pressure;
+  };
+  std::vector<Load> loads_;
+  bool              axisymmetric_ = false;
+};
+
+/// Flat rigid walls with Coulomb friction. Kinematic: a node that would pass
+/// gets the normal velocity that lands it on the wall.
+template <int dim>
+class RigidWalls
+{
+public:
+  RigidWalls() = default;
+  RigidWalls(const Parameters &, std::vector<std::uint32_t> nodes);
+
+  void   apply(const TimeStep &, const PrescribedMotion<dim> &, Nodes<dim> &,
+               const std::array<AlignedVector<double>, dim> &v_old, BoundaryWork &);
+  double force(std::size_t wall) const { return force_.at(wall); }
+  AlignedVector<double> &forces() { return force_; }
+
+private:
+  /// What one wall gave to one node in this step, N s.
+  struct Touch
+  {
+    std::uint32_t           node;
+    std::size_t             wall;
+    std::array<double, dim> normal, friction;
+  };
+  bool touch(std::size_t wall, std::uint32_t node, const TimeStep &, const PrescribedMotion<dim> &,
+             Nodes<dim> &, Touch &) const;
+
+  std::vector<input::RigidWall> walls_;
+  std::vector<std::uint32_t>    nodes_;
+  AlignedVector<double>         force_;   ///< N
+  std::vector<Touch>            touches_; ///< of this step
+};
+} // namespace ogive::fem

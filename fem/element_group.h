@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "core/base/balance.h"
+#include "core/base/culprit.h"
+#include "core/base/sample.h"
+#include "core/input/scene.h"
+#include "core/time/time_step.h"
+#include "fem/mesh.h"
+#include "fem/nodes.h"
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+
+namespace ogive::fem
+{
+/// Where a group's elements stand among all of the solver.
+struct GroupPlace
+{
+  std::size_t first_node    = 0; ///< of the body, among the solver's nodes
+  std::size_t first_element = 0; ///< global id of the group's first element
+};
+
+/// The elements of one body in one formulation, with their history. One virtual
+/// call a step; lanes of a register are elements inside.
+template <int dim>
+class ElementGroup
+{
+public:
+  static constexpr int corners = 1 << dim;
+  using Visitor                = std::function<void(const std::string &, AlignedVector<double> &)>;
+
+  virtual ~ElementGroup() = default;
+
+  virtual int         body() const = 0;
+  virtual std::size_t size() const = 0; ///< elements
+  /// Solver nodes of element e, VTK order.
+  virtual std::array<std::uint32_t, corners> nodes(std::size_t e) const = 0;
+  /// Index into corner_forces() of component 0 at a corner of element e;
+  /// component d follows d * simd_width entries later.
+  virtual std::size_t force_index(std::size_t e, int corner) const = 0;
+  virtual std::span<const double> corner_forces() const            = 0;
+
+  /// Adds the lumped mass of the elements to the nodes, kg.
+  virtual void lump_mass(Nodes<dim> &) const = 0;
+  /// Shape, zero forces and step bound of the undeformed state at nodes.x.
+  virtual void initialise(const Nodes<dim> &) = 0;
+  /// Takes the step of the elements: internal energy with the forces of t_n,
+  /// then strain, stress and forces at x(t_{n+1}).
+  virtual StepStatus advance(const Nodes<dim> &, const TimeStep &) = 0;
+  /// Bound of the step at the present state, without a safety factor.
+  virtual StepLimit stable_dt() const = 0;
+
+  virtual void add_energies(Balance &) const                   = 0;
+  virtual void sample(const Nodes<dim> &, Sample &) const      = 0;
+  virtual void for_each_state(const Visitor &)                 = 0;
+};
+
+/// One-point elements of the mesh's kind.
+template <int dim>
+std::unique_ptr<ElementGroup<dim>> make_one_point_group(const BodyMesh<dim> &, const GroupPlace &,
+                                                        const input::FemOptions &);
+} // namespace ogive::fem

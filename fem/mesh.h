@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "core/input/scene.h"
+#include "core/materials/material.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace ogive::fem
+{
+/// A body's mesh reduced to arrays, SI. Cells and facets name nodes of this
+/// mesh, counted from 0.
+template <int dim>
+struct BodyMesh
+{
+  static constexpr int corners = 1 << dim;
+
+  struct Facet
+  {
+    static constexpr int                 n_nodes = dim == 3 ? 4 : dim;
+    std::array<std::uint32_t, n_nodes>   node{};     ///< outward, as in core/base/surface.h
+    std::uint32_t                        cell     = 0;
+    int                                  boundary = 0; ///< index into boundary_names
+    double                               outward  = 1; ///< 1-D: sign of the outward normal
+  };
+
+  int                                        body = -1; ///< index into the scene's bodies
+  std::shared_ptr<const materials::Material> material;
+  bool                                       axisymmetric = false; ///< dim 2: x = r, y = axis
+  std::array<std::vector<double>, dim>       x;  ///< m
+  std::array<std::vector<double>, dim>       v;  ///< initial velocity, m/s
+  std::vector<std::uint32_t>                 cells;  ///< corners per cell, VTK order
+  std::vector<Facet>                         facets; ///< all of the boundary
+  std::vector<std::string>                   boundary_names; ///< "x-" .. "z+"; "bottom", "top", "side", "inner", "outer"; ids of a mesh file
+
+  std::size_t n_nodes() const { return x[0].size(); }
+  std::size_t n_cells() const { return cells.size() / corners; }
+  /// Of the mesh, which is inscribed in a round body: m^3, m^2 (per metre), m,
+  /// or the m^3 of the whole ring.
+  double volume() const;
+};
+
+/// Builds the mesh of one body of the scene: the shape in the scene's dimension
+/// and symmetry (only the kept side of symmetry planes), element edges near
+/// Body::spacing, boundary names, initial velocities. Throws InputError for a
+/// shape that the dimension lacks, a mesh file that cannot be read, elements
+/// cut by a symmetry plane, or a Jacobian <= 0.
+template <int dim>
+BodyMesh<dim> make_mesh(const input::Body &, const input::Scene &, int body_index,
+                        std::shared_ptr<const materials::Material>);
+
+/// Throws InputError naming the first cell whose map is not invertible at a
+/// corner (or, in axial symmetry, that reaches r < 0).
+template <int dim>
+void check_quality(const BodyMesh<dim> &, const std::string &body_name);
+} // namespace ogive::fem

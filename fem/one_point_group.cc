@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "fem/one_point_group.h"
+
+#include "core/base/error.h"
+#include "fem/elements/hex8.h"
+#include "fem/elements/line2.h"
+#include "fem/elements/quad4.h"
+#include "fem/elements/quad4_axisymmetric.h"
+
+#include <algorithm>
+
+namespace ogive::fem
+{
+/// What the strain half of a block hands to the material and to the stress half.
+template <class Element>
+struct OnePointGroup<Element>::Block
+{
+  static constexpr std::size_t n = block_packs * width;
+  alignas(64) double strain[6][n], spin[3][n], density[n];
+  Shape  shape[block_packs];
+  Motion motion[block_packs];
+};
+
+template <class Element>
+OnePointGroup<Element>::OnePointGroup(const BodyMesh<dim> &mesh, const GroupPlace &place,
+                                      const input::FemOptions &options)
+  : body_(mesh.body)
+  , n_(mesh.n_cells())
+  , padded_n_(padded(n_))
+  , first_element_(place.first_element)
+  , material_(mesh.material)
+  , options_(options)
+  , viscous_hourglass_(options.hourglass == "viscous")
+  , shear_modulus_(mesh.material->shear_modulus())
+  // A fluid has no shear stiffness; a tenth of its bulk modulus resists the
+  // patterns without stiffening the volume response.
+  , hourglass_modulus_(shear_modulus_ > 0 ? shear_modulus_ : .1 * mesh.material->bulk_modulus())
+{
+  require(n_ > 0, "a body without elements");
+  node_.resize(padded_n_ * corners);
+  for (auto *a : {&mass_, &viscous_pressure_, &half_hourglass_, &half_viscous_, &hourglass_energy_,
+                  &viscous_heat_})
+    a->resize(padded_n_, 0.);
+  corner_force_.resize(padded_n_ * corners * dim, 0.);
+  Q_.resize(padded_n_ * modes * dim, 0.);
+  corner_mass_.resize(Element::hoop ? padded_n_ * corners : 0);
+  points_.resize(padded_n_);
+  material_->initialise(points_, 0, padded_n_);
+  limit_ = {0., 0.};
+
+  for (std::size_t e = 0; e < padded_n_; ++e)
+  {
+    const std::size_t cell = std::min(e, n_ - 1);
+    double            x[corners][dim];
+    for (int a = 0; a < corners; ++a)
+    {
+      const std::uint32_t node   = mesh.cells[cell * corners + a];
+      node_[slot(e, a, corners)] = static_cast<std::uint32_t>(place.first_node + node);
+      for (int i = 0; i < dim; ++i)
+        x[a][i] = mesh.x[i][node];
+    }
+    Geometry<Element, double> g;
+    Element::gradient(x, g);
+    mass_[e] = material_->density() * g.volume;
+    if constexpr (Element::hoop)
+    {
+      double share[corners];
+      Element::corner_volumes(x, share);
+      for (int a = 0; a < corners; ++a)
+        corner_mass_[slot(e, a, corners)] = material_->density() * share[a];
+    }
+  }
+}
+
+template <class Element>
+void OnePointGroup<Element>::initialise(const Nodes<dim> &nodes)
+{
+  Corners still;
+  for (auto &corner : still)
+    std::fill(std::begin(corner), std::end(corner), VDouble(0.));
+  for (std::size_t pack = 0; pack < padded_n_ / width; ++pack)
+  {
+    Corners x;
+    Shape   shape;
+    Motion  motion;
+    gather(nodes.x, pack, x);
+    deform<Element, VDouble>(x, still, VDouble(1.), shape, motion);
+    stress(pack, shape, motion, 1.);
+  }
+}
+
+template <class Element>
+void OnePointGroup<Element>::gather(const std::array<AlignedVector<double>, dim> &field, std::size_t pack,
+                                    Corners &out) const
+{
+  for (int a = 0; a < corners; ++a)
+  {
+    const std::uint32_t *node = &node_[(pack * corners + a) * width];
+    for (int i = 0; i < dim; ++i)
+    {
+      const double *f = field[i].data();
+      out[a][i]       = VDouble([&](auto lane) { return f[node[lane]]; });
+    }
+  }
+}
+
+template <class Element>
+VDouble OnePointGroup<Element>::internal_work(std::size_t pack, const Corners &v_mean, double kick) const
+{
+  const double *f = &corner_force_[pack * corners * dim * width];
+  VDouble       power(0.);
+  for (int a = 0; a < corners; ++a)
+    for (int i = 0; i < dim; ++i, f += width)
+      power -= load(f) * v_mean[a][i];
+  return power * kick;
+}
+
+template <class Element>
+void OnePointGroup<Element>::book_energy(std::size_t pack, VDouble work, const Shape &shape,
+                                         const Motion &motion)
+{
+  // Hourglass forces and viscous pressure of t_n work over half of the last and
+  // half of this step: trapezoidal, while `work`, the whole, is exact.
+  const std::size_t e = pack * width;
+  VDouble           patterns = load(&half_hourglass_[e]);
+  for (int m = 0; m < modes; ++m)
+    for (int i = 0; i < dim; ++i)
+      patterns += .5 * load(&Q_[((pack * modes + m) * dim + i) * width]) * motion.rate[m][i];
+  const VDouble heat =
+    load(&half_viscous_[e]) - .5 * load(&viscous_pressure_[e]) * motion.trace * shape.volume;
+  store(load(&hourglass_energy_[e]) + patterns, &hourglass_energy_[e]);
+  store(load(&viscous_heat_[e]) + heat, &viscous_heat_[e]);
+  store(load(&points_.energy[e]) + (work - patterns) / load(&mass_[e]), &points_.energy[e]);
+}
+
+template <class Element>
+bool OnePointGroup<Element>::strain(const Nodes<dim> &nodes, const TimeStep &step, std::size_t pack,
+                                    Block &block, std::size_t held)
+{
+  Corners x, v;
+  gather(nodes.v_mean, pack, v);
+  const VDouble work = internal_work(pack, v, step.kick);
+  gather(nodes.x, pack, x);
+  gather(nodes.v, pack, v);
+  Shape  &shape  = block.shape[held];
+  Motion &motion = block.motion[held];
+  deform<Element, VDouble>(x, v, VDouble(step.drift), shape, motion);
+  for (auto &row : motion.rate)
+    for (auto &rate : row)
+      rate *= step.drift;
+  const std::size_t at = held * width;
+  for (int c = 0; c < 6; ++c)
+    store(motion.strain[c], &block.strain[c][at]);
+  for (int c = 0; c < 3; ++c)
+    store(motion.spin[c], &block.spin[c][at]);
+  store(load(&mass_[pack * width]) / shape.volume, &block.density[at]);
+  book_energy(pack, work, shape, motion);
+  const VDouble energy = load(&points_.energy[pack * width]);
+  return stdx::all_of(shape.volume > 0.) && stdx::all_of(energy - energy == 0.);
+}
+
+template <class Element>
+StepStatus OnePointGroup<Element>::advance(const Nodes<dim> &nodes, const TimeStep &step)
+{
+  const std::size_t packs = padded_n_ / width;
+  limit_                  = {0., 0.};
+  Block block;
+  for (std::size_t begin = 0; begin < packs; begin += block_packs)
+  {
+    const std::size_t count = std::min(block_packs, packs - begin);
+    for (std::size_t k = 0; k < count; ++k)
+      if (!strain(nodes, step, begin + k, block, k))
+        return first_bad(nodes, begin + k);
+
+    materials::Increments increments;
+    for (int c = 0; c < 6; ++c)
+      increments.strain[c] = block.strain[c];
+    for (int c = 0; c < 3; ++c)
+      increments.spin[c] = block.spin[c];
+    increments.density = block.density;
+    increments.dt      = step.drift;
+    std::size_t             bad = 0;
+    const materials::Status status =
+      material_->update(points_, begin * width, (begin + count) * width, increments, bad);
+    if (status != materials::Status::ok)
+      return fail(nodes, std::min(bad, n_ - 1), materials::describe(status));
+
+    for (std::size_t k = 0; k < count; ++k)
+      stress(begin + k, block.shape[k], block.motion[k], step.drift);
+  }
+  return {};
+}
+
+template <class Element>
+Gram<Element, VDouble> OnePointGroup<Element>::inverse_mass_gram(std::size_t pack, const Shape &shape,
+                                                                 const Gram<Element, VDouble> &unit) const
+{
+  if constexpr (Element::hoop)
+  {
+    VDouble weight[corners];
+    for (int a = 0; a < corners; ++a)
+      weight[a] = 1. / load(&corner_mass_[(pack * corners + a) * width]);
+    return gram<Element, VDouble>(shape, weight);
+  }
+  else
+  {
+    const VDouble weight = double(corners) / load(&mass_[pack * width]);
+    return {unit.largest * weight, unit.divergence * weight, unit.trace * weight};
+  }
+}
+
+/// Bulk viscosity, hourglass forces, corner forces and the step bound
+/// dt <= 2/(D/2 + sqrt(D^2/4 + w^2)), which is L/(Q + sqrt(Q^2 + c^2)) for one
+/// element in uniaxial strain. w^2 bounds the elastic and hourglass frequency of
+/// the element with its own corner masses, D its damping; the assembled mesh
+/// lies below the largest element (Irons and Treharne, 1971).
+template <class Element>
+void OnePointGroup<Element>::stress(std::size_t pack, const Shape &shape, const Motion &motion, double dt)
+{
+  const std::size_t e = pack * width;
+  VDouble           ones[corners];
+  std::fill(std::begin(ones), std::end(ones), VDouble(1.));
+  const Gram<Element, VDouble> unit   = gram<Element, VDouble>(shape, ones);
+  const Gram<Element, VDouble> weight = inverse_mass_gram(pack, shape, unit);
+  const VDouble length  = length_of<Element, VDouble>(unit.trace);
+  const VDouble density = load(&points_.density[e]), c = load(&points_.sound_speed[e]);
+
+  const VDouble rate   = stdx::min(motion.trace, VDouble(0.)) * (-1. / dt);
+  const VDouble linear = options_.bulk_linear * c, square = options_.bulk_quadratic * length * rate;
+  const VDouble q      = density * length * rate * (square + linear);
+  store(q, &viscous_pressure_[e]);
+  store(-.5 * q * motion.trace * shape.volume, &half_viscous_[e]);
+  // A node may be compressed next without warning: the linear part always counts.
+  VDouble damping = shape.volume * density * length * (2. * square + linear) * weight.divergence;
+
+  const double  shear     = shear_modulus_;
+  const VDouble stiffness = density * c * c - 2. * shear;
+  VDouble frequency2 =
+    shape.volume * (stdx::max(stiffness, VDouble(0.)) * weight.divergence + 2. * shear * weight.largest);
+
+  VDouble Q[Shape::modes][dim];
+  if constexpr (Element::modes > 0)
+  {
+    const double  coefficient = options_.hourglass_coefficient;
+    VDouble       skewness(0.), half(0.);
+    double       *stored = &Q_[pack * modes * dim * width];
+    const VDouble alive  = 1. - load(&points_.damage[e]);
+    for (int m = 0; m < modes; ++m)
+      for (int i = 0; i < dim; ++i)
+        Q[m][i] = load(stored + (m * dim + i) * width);
+    const VDouble resistance =
+      viscous_hourglass_ ? coefficient * .25 * density * c * shape.volume / length
+                         : coefficient * hourglass_modulus_ / corners * shape.volume * unit.trace;
+    if (!viscous_hourglass_)
+      turn<Element, VDouble>(motion.spin, Q);
+    for (int m = 0; m < modes; ++m)
+      for (int i = 0; i < dim; ++i)
+      {
+        VDouble next = viscous_hourglass_ ? resistance / dt * motion.rate[m][i]
+                                          : Q[m][i] + resistance * motion.rate[m][i];
+        stdx::where(alive <= 0., next) = VDouble(0.); // a failed element resists no pattern
+        Q[m][i]                        = next;
+        store(next, stored + (m * dim + i) * width);
+        half += next * motion.rate[m][i];
+        skewness += shape.skew[m][i] * shape.skew[m][i];
+      }
+    store(.5 * half, &half_hourglass_[e]);
+    // |gamma| <= |Gamma| + |skew| |B/V|
+    const VDouble pattern =
+      std::sqrt(double(corners)) * stdx::sqrt(weight.trace / unit.trace) + stdx::sqrt(skewness * weight.trace);
+    (viscous_hourglass_ ? damping : frequency2) += resistance * pattern * pattern;
+  }
+  else
+    std::fill(&Q[0][0], &Q[0][0] + Shape::modes * dim, VDouble(0.));
+
+  VDouble sigma[6];
+  for (int k = 0; k < 6; ++k)
+    sigma[k] = load(&points_.sigma[k][e]) - (k < 3 ? q : VDouble(0.));
+  VDouble force[corners][dim];
+  fem::corner_forces<Element, VDouble>(shape, sigma, Q, force);
+  double *f = &corner_force_[pack * corners * dim * width];
+  for (int a = 0; a < corners; ++a)
+    for (int i = 0; i < dim; ++i, f += width)
+      store(force[a][i], f);
+
+  const VDouble bound   = .5 * damping + stdx::sqrt(.25 * damping * damping + frequency2);
+  const double  largest = stdx::hmax(bound);
+  if (largest > limit_[0])
+  {
+    limit_[0] = largest;
+    for (std::size_t lane = 0; lane < width; ++lane)
+      if (bound[lane] == largest)
+        limit_[1] = static_cast<double>(std::min(e + lane, n_ - 1));
+  }
+}
+
+template class OnePointGroup<Line2>;
+template class OnePointGroup<Quad4>;
+template class OnePointGroup<Quad4Axisymmetric>;
+template class OnePointGroup<Hex8>;
+
+template <>
+std::unique_ptr<ElementGroup<1>> make_one_point_group(const BodyMesh<1> &mesh, const GroupPlace &place,
+                                                      const input::FemOptions &options)
+{
+  return std::make_unique<OnePointGroup<Line2>>(mesh, place, options);
+}
+template <>
+std::unique_ptr<ElementGroup<2>> make_one_point_group(const BodyMesh<2> &mesh, const GroupPlace &place,
+                                                      const input::FemOptions &options)
+{
+  if (mesh.axisymmetric)
+    return std::make_unique<OnePointGroup<Quad4Axisymmetric>>(mesh, place, options);
+  return std::make_unique<OnePointGroup<Quad4>>(mesh, place, options);
+}
+template <>
+std::unique_ptr<ElementGroup<3>> make_one_point_group(const BodyMesh<3> &mesh, const GroupPlace &place,
+                                                      const input::FemOptions &options)
+{
+  return std::make_unique<OnePointGroup<Hex8>>(mesh, place, options);
+}
+} // namespace ogive::fem

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "core/base/simd.h"
+#include "fem/element_group.h"
+#include "fem/elements/one_point.h"
+
+namespace ogive::fem
+{
+/// One-point elements, structure of arrays in packs of `simd_width` elements.
+/// The last pack is filled up with copies of the last element, which no node
+/// sums and no balance counts.
+template <class Element>
+class OnePointGroup final : public ElementGroup<Element::dim>
+{
+public:
+  static constexpr int dim = Element::dim, corners = Element::corners, modes = Element::modes;
+  using typename ElementGroup<dim>::Visitor;
+
+  OnePointGroup(const BodyMesh<dim> &, const GroupPlace &, const input::FemOptions &);
+
+  int                                body() const override { return body_; }
+  std::size_t                        size() const override { return n_; }
+  std::array<std::uint32_t, corners> nodes(std::size_t e) const override;
+  std::size_t                        force_index(std::size_t e, int corner) const override
+  {
+    return slot(e, corner * dim, corners * dim);
+  }
+  std::span<const double> corner_forces() const override { return corner_force_; }
+
+  void       lump_mass(Nodes<dim> &) const override;
+  void       initialise(const Nodes<dim> &) override;
+  StepStatus advance(const Nodes<dim> &, const TimeStep &) override;
+  StepLimit  stable_dt() const override;
+  void       add_energies(Balance &) const override;
+  void       sample(const Nodes<dim> &, Sample &) const override;
+  void       for_each_state(const Visitor &) override;
+
+private:
+  static constexpr std::size_t width       = simd_width;
+  static constexpr std::size_t block_packs = 8; ///< packs between two calls of the material
+
+  /// Corner positions or velocities of a pack; shape and rates of a pack.
+  using Corners = VDouble[corners][dim];
+  using Shape   = Geometry<Element, VDouble>;
+  using Motion  = Deformation<Element, VDouble>;
+  struct Block; ///< what the two halves of a block hand over
+
+  /// Index of entry k of n of element e in pack order.
+  static std::size_t slot(std::size_t e, std::size_t k, std::size_t n)
+  {
+    return (e / width * n + k) * width + e % width;
+  }
+  static VDouble load(const double *p) { return VDouble(p, stdx::vector_aligned); }
+  static void    store(VDouble v, double *p) { v.copy_to(p, stdx::vector_aligned); }
+
+  void    gather(const std::array<AlignedVector<double>, dim> &, std::size_t pack, Corners &) const;
+  bool    strain(const Nodes<dim> &, const TimeStep &, std::size_t pack, Block &, std::size_t held);
+  VDouble internal_work(std::size_t pack, const Corners &v_mean, double kick) const;
+  void    book_energy(std::size_t pack, VDouble work, const Shape &, const Motion &);
+  void    stress(std::size_t pack, const Shape &, const Motion &, double dt);
+  Gram<Element, VDouble> inverse_mass_gram(std::size_t pack, const Shape &,
+                                           const Gram<Element, VDouble> &unit) const;
+
+  StepStatus fail(const Nodes<dim> &, std::size_t e, const char *why) const;
+  StepStatus first_bad(const Nodes<dim> &, std::size_t pack) const;
+
+  int                                        body_;
+  std::size_t                                n_, padded_n_, first_element_;
+  std::shared_ptr<const materials::Material> material_;
+  input::FemOptions                          options_;
+  bool                                       viscous_hourglass_;
+  double                                     shear_modulus_, hourglass_modulus_;
+
+  std::vector<std::uint32_t> node_;         ///< packs of corners
+  AlignedVector<double>      mass_;         ///< kg
+  AlignedVector<double>      corner_mass_;  ///< kg, packs of corners; axial symmetry only
+
+  materials::Points     points_;
+  AlignedVector<double> corner_force_;      ///< N at t_n, packs of corners x dim
+  AlignedVector<double> Q_;                 ///< hourglass forces, N, packs of modes x dim
+  AlignedVector<double> viscous_pressure_;  ///< Pa
+  AlignedVector<double> half_hourglass_;    ///< J: half of Q_n times the last rates
+  AlignedVector<double> half_viscous_;      ///< J: half of q_n times the last volume change
+  AlignedVector<double> hourglass_energy_;  ///< J
+  AlignedVector<double> viscous_heat_;      ///< J
+  AlignedVector<double> limit_;             ///< largest 2/dt (1/s) and the element that sets it
+};
+} // namespace ogive::fem

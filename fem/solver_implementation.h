@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "fem/boundary.h"
+#include "fem/corner_sum.h"
+#include "fem/element_group.h"
+#include "fem/nodes.h"
+#include "fem/solver.h"
+
+#include <string>
+#include <vector>
+
+namespace ogive::fem
+{
+template <int dim>
+struct Solver<dim>::Implementation
+{
+  /// A body: its nodes [first_node, last_node) and its elements.
+  struct Part
+  {
+    std::size_t    first_node, last_node, first_element;
+    CornerSum<dim> sum;
+  };
+
+  Parameters                                      parameters;
+  Nodes<dim>                                      nodes;
+  std::vector<std::unique_ptr<ElementGroup<dim>>> groups; ///< one a body
+  std::vector<Part>                               parts;  ///< beside groups
+  PrescribedMotion<dim>                           prescribed;
+  Pressures<dim>                                  pressures;
+  RigidWalls<dim>                                 walls;
+  BoundaryWork                                    work;
+  std::array<AlignedVector<double>, dim>          v_old, load; ///< m/s; N, pressures at t_n
+  Surface<dim>                                    face;        ///< lists only; spans are set on demand
+  std::uint64_t                                   updates = 0;
+  std::vector<AlignedVector<double>>              mark;        ///< the snapshot
+
+  void       build(std::vector<BodyMesh<dim>>);
+  void       build_surface(const std::vector<BodyMesh<dim>> &);
+  void       kick(const TimeStep &);
+  void       book_pressure_work(double kick);
+  void       drift(double dt);
+  StepStatus check_nodes() const;
+
+  template <class F>
+  void for_each_state(F &&f)
+  {
+    static const char *axis[3] = {"x", "y", "z"};
+    for (int i = 0; i < dim; ++i)
+    {
+      f(std::string("position_") + axis[i], nodes.x[i]);
+      f(std::string("velocity_") + axis[i], nodes.v[i]);
+      f(std::string("force_") + axis[i], nodes.force[i]);
+    }
+    f("mass", nodes.mass);
+    f("wall_force", walls.forces());
+    AlignedVector<double> booked{work.external, work.wall_loss, work.friction};
+    f("work", booked);
+    work = {booked.at(0), booked.at(1), booked.at(2)};
+    for (std::size_t g = 0; g < groups.size(); ++g)
+      groups[g]->for_each_state([&](const std::string &name, AlignedVector<double> &a) {
+        f("group" + std::to_string(g) + "/" + name, a);
+      });
+  }
+};
+} // namespace ogive::fem

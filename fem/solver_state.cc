@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/base/error.h"
+#include "fem/embedding.h"
+#include "fem/solver_implementation.h"
+
+#include <algorithm>
+
+/// What the solver tells others, and its memory.
+namespace ogive::fem
+{
+template <int dim>
+Surface<dim> Solver<dim>::surface()
+{
+  auto        &s   = *self_;
+  Surface<dim> out = s.face;
+  out.n            = s.nodes.size();
+  for (int i = 0; i < dim; ++i)
+  {
+    out.x[i]     = s.nodes.x[i];
+    out.v[i]     = s.nodes.v[i];
+    out.force[i] = s.nodes.force[i];
+  }
+  out.mass     = s.nodes.mass;
+  out.body     = s.nodes.body;
+  out.id       = s.nodes.id;
+  out.topology = 1;
+  return out;
+}
+
+template <int dim>
+Balance Solver<dim>::balance() const
+{
+  const auto &s = *self_;
+  Balance     b;
+  for (const auto &group : s.groups)
+    group->add_energies(b);
+  for (std::size_t a = 0; a < s.nodes.size(); ++a)
+  {
+    const double m = s.nodes.mass[a];
+    Vec3         x = Vec3::Zero(), v = Vec3::Zero();
+    for (int i = 0; i < dim; ++i)
+    {
+      x[i] = s.nodes.x[i][a];
+      v[i] = s.nodes.v[i][a];
+    }
+    b.mass += m;
+    b.kinetic += .5 * m * v.squaredNorm();
+    if (s.parameters.axisymmetric) // the radial momenta of a ring cancel
+      b.momentum[1] += m * v[1];
+    else
+    {
+      b.momentum += m * v;
+      b.angular_momentum += m * x.cross(v);
+    }
+  }
+  b.external_work = s.work.external;
+  b.wall_loss     = s.work.wall_loss;
+  b.friction_heat = s.work.friction;
+  return b;
+}
+
+template <int dim>
+void Solver<dim>::snapshot()
+{
+  auto       &s = *self_;
+  std::size_t k = 0;
+  s.for_each_state([&](const std::string &, AlignedVector<double> &a) {
+    if (k == s.mark.size())
+      s.mark.emplace_back();
+    s.mark[k++] = a;
+  });
+}
+
+template <int dim>
+void Solver<dim>::restore()
+{
+  auto &s = *self_;
+  require(!s.mark.empty(), "restore without a snapshot");
+  std::size_t k = 0;
+  s.for_each_state([&](const std::string &, AlignedVector<double> &a) {
+    // In place: spans of the surface stay valid.
+    std::copy(s.mark[k].begin(), s.mark[k].end(), a.begin());
+    ++k;
+  });
+}
+
+template <int dim>
+void Solver<dim>::save(ArchiveWriter &archive, const std::string &prefix) const
+{
+  auto &s = *self_;
+  s.for_each_state([&](const std::string &name, AlignedVector<double> &a) {
+    archive.write(prefix + "/" + name, std::span<const double>(a.data(), a.size()));
+  });
+  archive.write(prefix + "/updates", static_cast<std::int64_t>(s.updates));
+}
+
+template <int dim>
+void Solver<dim>::load(const ArchiveReader &archive, const std::string &prefix)
+{
+  auto &s = *self_;
+  s.for_each_state([&](const std::string &name, AlignedVector<double> &a) {
+    const std::vector<double> values = archive.doubles(prefix + "/" + name);
+    if (values.size() != a.size())
+      throw InputError("checkpoint entry \"" + prefix + "/" + name + "\" has " + std::to_string(values.size()) +
+                       " values where the scene's mesh needs " + std::to_string(a.size()));
+    std::copy(values.begin(), values.end(), a.begin());
+  });
+  s.updates = static_cast<std::uint64_t>(archive.integer(prefix + "/updates"));
+}
+
+template <int dim>
+Sample Solver<dim>::sample(int body) const
+{
+  const auto &s = *self_;
+  Sample      out;
+  for (std::size_t g = 0; g < s.groups.size(); ++g)
+  {
+    if (s.groups[g]->body() != body)
+      continue;
+    const std::size_t first = s.parts[g].first_node, last = s.parts[g].last_node;
+    out.is_mesh             = true;
+    for (int i = 0; i < 3; ++i)
+      if (i < dim)
+      {
+        out.x[i].assign(s.nodes.x[i].begin() + first, s.nodes.x[i].begin() + last);
+        out.x0[i].assign(s.nodes.x0[i].begin() + first, s.nodes.x0[i].begin() + last);
+        out.v[i].assign(s.nodes.v[i].begin() + first, s.nodes.v[i].begin() + last);
+      }
+      else
+        for (auto *field : {&out.x[i], &out.x0[i], &out.v[i]})
+          field->assign(last - first, 0.);
+    out.mass.assign(s.nodes.mass.begin() + first, s.nodes.mass.begin() + last);
+    out.radius.assign(last - first, 0.);
+    out.id.assign(s.nodes.id.begin() + first, s.nodes.id.begin() + last);
+    s.groups[g]->sample(s.nodes, out);
+  }
+  return out;
+}
+
+template <int dim>
+std::size_t Solver<dim>::size() const
+{
+  std::size_t n = 0;
+  for (const auto &group : self_->groups)
+    n += group->size();
+  return n;
+}
+
+template <int dim>
+std::uint64_t Solver<dim>::updates() const
+{
+  return self_->updates;
+}
+
+template <int dim>
+void Solver<dim>::add_mass(std::uint32_t node, double mass)
+{
+  self_->nodes.mass.at(node) += mass;
+}
+
+template <int dim>
+double Solver<dim>::wall_force(std::size_t w) const
+{
+  return self_->walls.force(w);
+}
+
+template <int dim>
+bool Solver<dim>::embed(std::uint32_t element, const std::array<double, dim> &point, double reach,
+                        Embedding &out) const
+{
+  const auto &s = *self_;
+  std::size_t g = 0;
+  while (g + 1 < s.parts.size() && element >= s.parts[g + 1].first_element)
+    ++g;
+  require(element - s.parts[g].first_element < s.groups[g]->size(), "no such element");
+  out.node = s.groups[g]->nodes(element - s.parts[g].first_element);
+  std::array<std::array<double, dim>, Embedding::n_nodes> x;
+  for (int a = 0; a < Embedding::n_nodes; ++a)
+    for (int i = 0; i < dim; ++i)
+      x[a][i] = s.nodes.x[i][out.node[a]];
+  return weights_of_point<dim>(x, point, reach, out.weight);
+}
+
+template class Solver<1>;
+template class Solver<2>;
+template class Solver<3>;
+} // namespace ogive::fem
