@@ -182,13 +182,17 @@ std::string FieldWriter::topology(hdf5::File &file, const std::string &group, co
          "</Topology>\n";
 }
 
-std::string FieldWriter::block_entry(hdf5::File &file, const std::string &group, const FieldBlock &block)
+std::string FieldWriter::block_entry(hdf5::File &file, const std::string &group, const FieldBlock &block,
+                                     std::size_t index)
 {
   file.write(group + "/points", block.points, 3);
   std::string entry = "<Grid Name=\"" + escaped(block.name) + "\" GridType=\"Uniform\">\n";
   entry += topology(file, group, block);
   entry += "<Geometry GeometryType=\"XYZ\">" +
            data_item("Float", 8, shape(block.n_points(), 3), group + "/points") + "</Geometry>\n";
+  // ParaView's default reader drops the names of blocks; by this field they can be told apart.
+  const Field body{"body", 1, std::vector<double>(block.n_points(), static_cast<double>(index))};
+  entry += field_entry(file, group, body, false, block.n_points());
   for (const Field &field : block.point_fields)
     entry += field_entry(file, group, field, false, block.n_points());
   for (const Field &field : block.cell_fields)
@@ -205,9 +209,9 @@ void FieldWriter::write(double time, std::span<const FieldBlock> blocks)
   std::string       entry = "<Grid Name=\"" + group.substr(1) +
                       "\" GridType=\"Collection\" CollectionType=\"Spatial\">\n<Time Value=\"" +
                       number_text(time) + "\"/>\n";
-  for (const FieldBlock &block : blocks)
-    if (block.n_points() > 0)
-      entry += block_entry(file, group + "/" + link_name(block.name), block);
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+    if (blocks[i].n_points() > 0)
+      entry += block_entry(file, group + "/" + link_name(blocks[i].name), blocks[i], i);
   entry += "</Grid>\n";
   file.write_text(group + entry_name, entry);
   file.close();

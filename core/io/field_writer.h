@@ -66,7 +66,8 @@ public:
   /// later ones are dropped. Throws InputError if there are fewer.
   static FieldWriter resume(const std::string &directory, std::size_t n_times);
 
-  /// Blocks without points are left out. `time` in s.
+  /// Blocks without points are left out; the others get a field "body", their
+  /// index in `blocks`. `time` in s.
   void write(double time, std::span<const FieldBlock> blocks);
 
   /// Times written so far; a checkpoint keeps it for resume().
@@ -74,7 +75,7 @@ public:
 
 private:
   FieldWriter(const std::string &directory, bool fresh);
-  std::string block_entry(hdf5::File &, const std::string &group, const FieldBlock &);
+  std::string block_entry(hdf5::File &, const std::string &group, const FieldBlock &, std::size_t index);
   std::string topology(hdf5::File &, const std::string &group, const FieldBlock &);
   void        write_xdmf() const;
 

@@ -143,6 +143,7 @@ TEST_F(Fields, EveryWriteLeavesBothFilesWhole)
   EXPECT_EQ(writer.count(), 3u);
   // Positions in double, and the stress as nine components, row by row.
   EXPECT_EQ(read(in("results.h5"), "/000001/core/points")[3], .001 + .003);
+  EXPECT_EQ(read(in("results.h5"), "/000001/core/body"), std::vector<double>(5, 1.));
   EXPECT_EQ(read(in("results.h5"), "/000001/a<b>_c/stress"),
             (std::vector<double>{1e6, 4e6, 6e6, 4e6, 2e6, 5e6, 6e6, 5e6, 3e6, //
                                  3e6, 6e6, 8e6, 6e6, 4e6, 7e6, 8e6, 7e6, 5e6}));
