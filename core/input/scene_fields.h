@@ -21,5 +21,4 @@ void material_fields(Fields &, materials::Parameters &);
 /// Everything. The scene's lists must hold as many named items as there will be
 /// subsections; `inline_materials` of scene.materials, the first ones, are its own.
 void scene_fields(Fields &, Scene &, std::size_t inline_materials);
-
 } // namespace ogive::input

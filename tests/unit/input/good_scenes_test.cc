@@ -153,6 +153,16 @@ TEST(GoodScenes, ShippedScenesReadAndReadBack)
     }
 }
 
+TEST(Reference, ShowsExpectationDefaultAndMeaning)
+{
+  const std::string text = reference();
+  for (const char *row : {"| `end time` | a time > 0, such as \"80 us\" | **mandatory** | when the run ends |",
+                          "| `alpha` | a number >= 0 | `1` | linear coefficient of the viscosity |",
+                          "## Bodies/NAME", "## Materials/NAME/Strength", "for shape ring or shell",
+                          "| `plateau_stress` | Pa | Pa |"})
+    EXPECT_NE(text.find(row), std::string::npos) << row;
+}
+
 constexpr const char *bar_prm = R"(set dimension = uniaxial
 set end time = 20 us
 set bodies = bar
