@@ -60,7 +60,7 @@ void ContactSet<dim>::start(const Faces<dim> &faces)
     pair.measure(faces, symmetry_axes_);
     pair.update(faces, symmetry_axes_);
     std::vector<Record> found;
-    pair.detect(faces, {}, true, found, state_.lost);
+    pair.detect_overlaps(faces, found);
     for (auto &record : found)
     {
       begin_contact(faces, pair, record);
@@ -131,13 +131,24 @@ void ContactSet<dim>::continue_contact(const Faces<dim> &faces, const ContactPai
   record.depth -= record.offset;
   record.force = record.stiffness * record.depth * record.normal;
 
+  record.point_velocity = faces.velocity(pair.point_party(), record.point);
+  record.other_velocity = carried_velocity(faces, pair.other_party(), record, false);
+
   if (record.tangential_stiffness > 0)
   {
-    Point<dim> spring = Point<dim>::Zero(), slide = Point<dim>::Zero();
+    Point<dim> spring = Point<dim>::Zero(), slide;
     if (old)
     {
       spring = turned_into_plane<dim>(old->spring, record.normal);
       slide  = across<dim>(old->slide, record.normal);
+    }
+    else
+    {
+      // It has slid for as long as it took to get this deep.
+      const Point<dim> relative = record.point_velocity - record.other_velocity;
+      const double     inwards  = -relative.dot(record.normal) * state_.last_drift;
+      const double     part     = inwards > record.depth ? record.depth / inwards : 1;
+      slide                     = across<dim>(part * state_.last_drift * relative, record.normal);
     }
     const auto step = coulomb<dim>(spring, slide, record.tangential_stiffness,
                                    pair.spec().friction * record.stiffness * record.depth);
@@ -145,8 +156,6 @@ void ContactSet<dim>::continue_contact(const Faces<dim> &faces, const ContactPai
     record.force -= record.tangential_stiffness * step.spring;
     state_.energy.friction_heat += step.heat;
   }
-  record.point_velocity = faces.velocity(pair.point_party(), record.point);
-  record.other_velocity = carried_velocity(faces, pair.other_party(), record, false);
 }
 
 template <int dim>
@@ -169,7 +178,7 @@ void ContactSet<dim>::gather(Faces<dim> &faces)
       std::find_if(old, end, [&](const Record &r) { return r.key.pair != pair.index(); });
     pair.update(faces, symmetry_axes_);
     found.clear();
-    pair.detect(faces, {old, stop}, false, found, state_.lost);
+    pair.detect(faces, {old, stop}, state_.last_drift, found, state_.lost);
     for (auto &record : found)
     {
       for (; old != stop && old->key < record.key; ++old)
@@ -260,6 +269,7 @@ void ContactSet<dim>::close(const Faces<dim> &faces, const TimeStep &step)
 {
   auto &energy  = state_.energy;
   energy.stored = 0;
+  state_.last_drift = step.drift;
   for (auto &record : state_.records)
   {
     const auto      &pair = pairs_[record.key.pair];
@@ -337,6 +347,7 @@ void ContactSet<dim>::save(ArchiveWriter &archive, const std::string &prefix) co
                                      e.work[1],
                                      state_.impulse,
                                      reference_dt_,
+                                     state_.last_drift,
                                      limit.dt,
                                      limit.culprit.where[0],
                                      limit.culprit.where[1],
@@ -355,7 +366,7 @@ void ContactSet<dim>::load(const ArchiveReader &archive, const std::string &pref
   const auto     counts = archive.integers(prefix + "/contact_counts");
   constexpr auto width  = static_cast<std::size_t>(4 + 4 * dim);
   const auto     n      = names.size() / 3;
-  if (names.size() != 3 * n || values.size() != width * n || totals.size() != 11 || counts.size() != 3)
+  if (names.size() != 3 * n || values.size() != width * n || totals.size() != 12 || counts.size() != 3)
     throw InputError("the checkpoint's contacts (" + prefix + ") do not belong to this scene");
 
   State state;
@@ -381,10 +392,11 @@ void ContactSet<dim>::load(const ArchiveReader &archive, const std::string &pref
   state.energy        = {totals[0], totals[1], totals[2], {totals[3], totals[4]}};
   state.impulse       = totals[5];
   reference_dt_       = totals[6];
-  state.limit.dt      = totals[7];
+  state.last_drift    = totals[7];
+  state.limit.dt      = totals[8];
   state.lost          = counts[0];
   state.limit.culprit = {"contact", static_cast<int>(counts[1]), counts[2],
-                         Vec3(totals[8], totals[9], totals[10]),
+                         Vec3(totals[9], totals[10], totals[11]),
                          "stiffness of its contacts against its mass"};
   kept_               = std::move(state);
   restore();

@@ -94,8 +94,9 @@ private:
   {
     std::vector<Record> records; ///< by ascending key
     ContactEnergy       energy;
-    double              impulse = 0;
-    std::int64_t        lost    = 0;
+    double              impulse    = 0;
+    double              last_drift = 0;
+    std::int64_t        lost       = 0;
     StepLimit           limit;
   };
 

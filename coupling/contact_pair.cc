@@ -15,6 +15,12 @@ constexpr double deepest = 2;
 // Facets turned by more than about 115 degrees from a contact's last normal
 // belong to the far side of the body.
 constexpr double same_side = -.43;
+// A point keeps to the facets within 60 degrees of its last normal ...
+constexpr double same_face = .5;
+// ... while it is straight behind them, within 26 degrees.
+constexpr double straight = .9;
+// Bodies drawn flush differ by rounding of their coordinates.
+constexpr double flush = 1e-6;
 
 template <int dim>
 double largest_radius(const Faces<dim> &faces, int party, const std::vector<std::uint32_t> &points)
@@ -69,6 +75,9 @@ void ContactPair<dim>::measure(const Faces<dim> &faces, const std::vector<int> &
     size_ = std::max(size_, point_size);
   max_depth_    = deepest * size_;
   half_spacing_ = .5 * (point_size > 0 ? std::min(point_size, size_) : size_);
+  // Nothing to measure by: a lone end point, met by nodes. It has one side.
+  if (!std::isfinite(half_spacing_))
+    half_spacing_ = 0;
 }
 
 template <int dim>
@@ -108,7 +117,13 @@ void ContactPair<dim>::update(const Faces<dim> &faces, const std::vector<int> &s
   auto         positions = all_positions(faces);
   const double skin      = skin_share * size_;
   if (!moved_house && !watch_.exceeded(positions, skin))
+  {
+    travel_ += motion(positions);
+    last_positions_ = std::move(positions);
     return;
+  }
+  travel_ = 0;
+  safe_.assign(points_.size(), 0);
 
   // Both sides may have moved by the skin before the next search.
   std::vector<Box<dim>> queries(points_.size()), targets;
@@ -132,15 +147,28 @@ void ContactPair<dim>::update(const Faces<dim> &faces, const std::vector<int> &s
         targets.back().include(faces.position(other_party_, i));
     }
   list_.build(queries, targets);
+  last_positions_ = positions;
   watch_.set(std::move(positions));
 }
 
 template <int dim>
-void ContactPair<dim>::nearest(const Faces<dim> &faces, std::size_t query, const Point<dim> *facing,
-                               const Point<dim> *against, Stand<dim> &stand) const
+double ContactPair<dim>::motion(std::span<const Point<dim>> positions) const
+{
+  double farthest[2] = {0, 0};
+  for (std::size_t i = 0; i < positions.size(); ++i)
+  {
+    double &side = farthest[i >= points_.size()];
+    side         = std::max(side, (positions[i] - last_positions_[i]).squaredNorm());
+  }
+  return std::sqrt(farthest[0]) + std::sqrt(farthest[1]);
+}
+
+template <int dim>
+template <class Accept>
+Stand<dim> ContactPair<dim>::nearest(const Faces<dim> &faces, std::size_t query, const Accept &accept) const
 {
   const Point<dim> p = faces.position(point_party_, points_[query]);
-  stand              = {};
+  Stand<dim>       stand;
   for (const std::uint32_t f : list_.of(query))
   {
     std::array<Point<dim>, Facet::n_nodes> corner;
@@ -161,17 +189,7 @@ void ContactPair<dim>::nearest(const Faces<dim> &faces, std::size_t query, const
         continue;
     }
     const Foot<dim> foot = foot_on_facet<dim>(p, corner, facets_[f].outward);
-    if (facing && foot.normal.dot(*facing) < same_side)
-      continue;
-    if (against)
-    {
-      Point<dim> approach = *against;
-      for (int k = 0; k < Facet::n_nodes; ++k)
-        approach -= foot.weight[k] * faces.velocity(other_party_, facets_[f].node[k]);
-      if (approach.dot(foot.normal) >= 0)
-        continue;
-    }
-    if (!stand.found || better_foot<dim>(p, foot, stand.foot))
+    if (accept(foot, facets_[f]) && (!stand.found || better_foot<dim>(p, foot, stand.foot)))
     {
       stand.found = true;
       stand.facet = f;
@@ -179,25 +197,61 @@ void ContactPair<dim>::nearest(const Faces<dim> &faces, std::size_t query, const
     }
   }
   if (stand.found)
-    finish_stand(p, half_spacing_ > 0 ? half_spacing_ : 1., stand);
+    finish_stand(p, half_spacing_, stand);
+  return stand;
 }
 
 template <int dim>
-bool ContactPair<dim>::stands(const Faces<dim> &faces, std::size_t query, const Record *old, bool any_side,
-                              Stand<dim> &stand) const
+double ContactPair<dim>::approach(const Faces<dim> &faces, std::size_t query, const Foot<dim> &foot,
+                                  const Facet &facet) const
 {
-  const double r = faces.radius(point_party_, points_[query]);
-  nearest(faces, query, old ? &old->normal : nullptr, nullptr, stand);
-  if (!stand.found || stand.distance >= r)
-    return false;
-  if (old || any_side || stand.distance >= 0)
-    return true;
+  Point<dim> velocity = faces.velocity(point_party_, points_[query]);
+  for (int k = 0; k < Facet::n_nodes; ++k)
+    velocity -= foot.weight[k] * faces.velocity(other_party_, facet.node[k]);
+  return -velocity.dot(foot.normal);
+}
 
-  // A point that is suddenly inside came through a facet it was approaching;
+template <int dim>
+Stand<dim> ContactPair<dim>::lasting(const Faces<dim> &faces, std::size_t query,
+                                     const Point<dim> &last_normal) const
+{
+  Stand<dim> stand = nearest(faces, query, [&](const Foot<dim> &foot, const Facet &) {
+    return foot.normal.dot(last_normal) >= same_side;
+  });
+  if (!stand.found || stand.distance >= flush * half_spacing_)
+    return stand;
+  // Inside, near an edge: the face it came through, not the nearest one. Nodes
+  // of flush bodies lie on the other's side face all the time.
+  const Point<dim> p    = faces.position(point_party_, points_[query]);
+  const Stand<dim> same = nearest(faces, query, [&](const Foot<dim> &foot, const Facet &) {
+    return foot.normal.dot(last_normal) >= same_face &&
+           (foot.where - p).dot(foot.normal) >= straight * std::sqrt(foot.distance2);
+  });
+  return same.found ? same : stand;
+}
+
+template <int dim>
+Stand<dim> ContactPair<dim>::entering(const Faces<dim> &faces, std::size_t query, double last_drift) const
+{
+  const double     tolerance = flush * half_spacing_;
+  const double     r         = faces.radius(point_party_, points_[query]);
+  const Stand<dim> stand = nearest(faces, query, [](const Foot<dim> &, const Facet &) { return true; });
+  if (!stand.found || stand.distance >= std::max(r, tolerance) || (stand.distance >= 0 && r > 0))
+    return stand;
+
+  // A point that is suddenly inside came through a facet during the last step;
   // near an edge, or in a thin body, that need not be the nearest one.
-  const Point<dim> velocity = faces.velocity(point_party_, points_[query]);
-  nearest(faces, query, nullptr, &velocity, stand);
-  return stand.found && stand.distance < 0;
+  const Point<dim> p       = faces.position(point_party_, points_[query]);
+  const Stand<dim> crossed = nearest(faces, query, [&](const Foot<dim> &foot, const Facet &facet) {
+    const double depth = (foot.where - p).dot(foot.normal);
+    return depth > 0 && depth >= straight * std::sqrt(foot.distance2) &&
+           depth <= 1.001 * last_drift * approach(faces, query, foot, facet) + tolerance;
+  });
+  if (crossed.found || stand.distance >= 0)
+    return crossed;
+  return nearest(faces, query, [&](const Foot<dim> &foot, const Facet &facet) {
+    return approach(faces, query, foot, facet) > 0;
+  });
 }
 
 template <int dim>
@@ -227,7 +281,23 @@ void ContactPair<dim>::detect_particles(const Faces<dim> &faces, std::size_t que
 }
 
 template <int dim>
-void ContactPair<dim>::detect(const Faces<dim> &faces, std::span<const Record> old, bool any_side,
+ContactRecord<dim> ContactPair<dim>::facet_record(const Faces<dim> &faces, std::size_t query,
+                                                  const Stand<dim> &stand) const
+{
+  const std::uint32_t i = points_[query];
+  Record              record;
+  record.key    = {index_, faces[point_party_].id[i], -1};
+  record.normal = stand.direction;
+  record.depth  = faces.radius(point_party_, i) - stand.distance;
+  record.point  = i;
+  record.n      = Facet::n_nodes;
+  record.other  = facets_[stand.facet].node;
+  record.weight = stand.foot.weight;
+  return record;
+}
+
+template <int dim>
+void ContactPair<dim>::detect(const Faces<dim> &faces, std::span<const Record> old, double last_drift,
                               std::vector<Record> &found, std::int64_t &lost) const
 {
   std::size_t o = 0;
@@ -240,29 +310,38 @@ void ContactPair<dim>::detect(const Faces<dim> &faces, std::span<const Record> o
       detect_particles(faces, q, found);
       continue;
     }
-    const std::uint32_t i  = points_[q];
-    const std::int64_t  id = faces[point_party_].id[i];
+    const std::int64_t id = faces[point_party_].id[points_[q]];
     while (o < old.size() && old[o].key.point < id)
       ++o;
-    const Record *before = o < old.size() && old[o].key.point == id ? &old[o] : nullptr;
-    Stand<dim>    stand;
-    if (!stands(faces, q, before, any_side, stand))
+    const bool lasts = o < old.size() && old[o].key.point == id;
+    if (!lasts && travel_ < safe_[q])
       continue;
-    if (-stand.distance > max_depth_)
+    const double     r     = faces.radius(point_party_, points_[q]);
+    const Stand<dim> stand = lasts ? lasting(faces, q, old[o].normal) : entering(faces, q, last_drift);
+    if (!stand.found || stand.distance >= r)
     {
-      lost += before != nullptr;
+      safe_[q] = stand.found ? travel_ + stand.distance - std::max(r, 2 * flush * half_spacing_) : 0;
       continue;
     }
-    Record record;
-    record.key    = {index_, id, -1};
-    record.normal = stand.direction;
-    record.depth  = faces.radius(point_party_, i) - stand.distance;
-    record.point  = i;
-    record.n      = Facet::n_nodes;
-    record.other  = facets_[stand.facet].node;
-    record.weight = stand.foot.weight;
-    found.push_back(record);
+    if (-stand.distance > max_depth_)
+      lost += lasts;
+    else
+      found.push_back(facet_record(faces, q, stand));
   }
+}
+
+template <int dim>
+void ContactPair<dim>::detect_overlaps(const Faces<dim> &faces, std::vector<Record> &found) const
+{
+  for (std::size_t q = 0; q < points_.size(); ++q)
+    if (other_party_ == particle_party)
+      detect_particles(faces, q, found);
+    else
+    {
+      const auto stand = nearest(faces, q, [](const Foot<dim> &, const Facet &) { return true; });
+      if (stand.found && stand.distance < faces.radius(point_party_, points_[q]))
+        found.push_back(facet_record(faces, q, stand));
+    }
 }
 
 template class ContactPair<1>;

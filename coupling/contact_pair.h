@@ -90,17 +90,26 @@ public:
 
   /// Overlapping points by ascending key, with geometry, weights and depth.
   /// `old` (this pair's records, ascending) tell from which side a point came.
-  /// `any_side`: take every overlap as it stands, for the start.
-  void detect(const Faces<dim> &, std::span<const Record> old, bool any_side,
+  /// `last_drift`: length of the step that led here, s.
+  void detect(const Faces<dim> &, std::span<const Record> old, double last_drift,
               std::vector<Record> &found, std::int64_t &lost) const;
+  /// Every overlap as it stands, for the start.
+  void detect_overlaps(const Faces<dim> &, std::vector<Record> &found) const;
 
 private:
-  bool stands(const Faces<dim> &, std::size_t query, const Record *old, bool any_side,
-              Stand<dim> &) const;
-  void nearest(const Faces<dim> &, std::size_t query, const Point<dim> *facing, const Point<dim> *against,
-               Stand<dim> &) const;
+  /// The nearest of the candidate facets whose feet `accept` lets pass.
+  template <class Accept>
+  Stand<dim> nearest(const Faces<dim> &, std::size_t query, const Accept &accept) const;
+  Stand<dim> lasting(const Faces<dim> &, std::size_t query, const Point<dim> &last_normal) const;
+  Stand<dim> entering(const Faces<dim> &, std::size_t query, double last_drift) const;
+  /// Speed at which the point goes through the facet, inwards, m/s.
+  double approach(const Faces<dim> &, std::size_t query, const Foot<dim> &, const Facet &) const;
+  Record facet_record(const Faces<dim> &, std::size_t query, const Stand<dim> &) const;
   void detect_particles(const Faces<dim> &, std::size_t query, std::vector<Record> &found) const;
   std::vector<Point<dim>> all_positions(const Faces<dim> &) const;
+  /// Farthest that a point and a place of the other side came together since
+  /// `last_positions_`, m.
+  double motion(std::span<const Point<dim>> positions) const;
 
   ContactSpec   spec_;
   std::int64_t  index_;
@@ -115,6 +124,11 @@ private:
   std::vector<Facet>         facets_;
   NeighbourList<dim>         list_;
   DisplacementWatch<dim>     watch_;
+  // A point farther than it and the other side can have moved since needs no
+  // look: safe_ is the travel at which it does.
+  std::vector<Point<dim>>    last_positions_;
+  mutable std::vector<double> safe_;
+  double                     travel_      = 0;
   std::uint64_t              topology_[2] = {0, 0};
   bool                       built_       = false;
 };
