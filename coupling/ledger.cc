@@ -42,6 +42,9 @@ void for_each_column(Row &row, F &&f)
   f("angular_momentum_x [N m s]", row.angular_momentum[0]);
   f("angular_momentum_y [N m s]", row.angular_momentum[1]);
   f("angular_momentum_z [N m s]", row.angular_momentum[2]);
+  f("external_impulse_x [N s]", row.external_impulse[0]);
+  f("external_impulse_y [N s]", row.external_impulse[1]);
+  f("external_impulse_z [N s]", row.external_impulse[2]);
 }
 
 double books(const Balance &b, double work_of_coupling)
@@ -98,6 +101,7 @@ LedgerRow ledger_row(const Balance &fem, const Balance &sph, const CouplingBalan
   row.mass             = sum.mass;
   row.momentum         = sum.momentum;
   row.angular_momentum = sum.angular_momentum;
+  row.external_impulse = sum.external_impulse;
   row.mesh_books       = books(fem, coupling.work_on_mesh);
   row.particle_books   = books(sph, coupling.work_on_particles);
   return row;

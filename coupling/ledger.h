@@ -34,6 +34,7 @@ struct LedgerRow
   double mass             = 0;
   Vec3   momentum         = Vec3::Zero();
   Vec3   angular_momentum = Vec3::Zero(); ///< about the origin
+  Vec3   external_impulse = Vec3::Zero(); ///< given by walls, boundaries and symmetry planes
 
   /// Each party's energy less what external and coupling forces gave it: stays
   /// as it was at the start if that solver keeps its books.
@@ -64,6 +65,10 @@ public:
   void   enter(LedgerRow &row);
   double drift() const { return last_.drift; }
   double worst_drift() const { return worst_; }
+  double reference() const { return reference_; } ///< the energy that drift is measured against, J
+
+  const LedgerRow &first() const { return first_; }
+  const LedgerRow &last() const { return last_; }
 
   /// Empty while |drift| <= limit and every entry is a number; else a sentence
   /// that names the drift and the part of the books with the largest error.

@@ -19,6 +19,8 @@ struct Balance
   double mass                = 0;
   Vec3   momentum            = Vec3::Zero();
   Vec3   angular_momentum    = Vec3::Zero(); ///< about the origin
+  /// given by rigid walls, prescribed motion, pressure and symmetry planes, N s
+  Vec3   external_impulse    = Vec3::Zero();
   double kinetic             = 0;
   double elastic             = 0;
   double plastic_work        = 0;
@@ -43,6 +45,7 @@ struct Balance
     mass += b.mass;
     momentum += b.momentum;
     angular_momentum += b.angular_momentum;
+    external_impulse += b.external_impulse;
     kinetic += b.kinetic;
     elastic += b.elastic;
     plastic_work += b.plastic_work;

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "apps/commands.h"
+
+#include "core/base/log.h"
+#include "core/input/reader.h"
+#include "coupling/run.h"
+
+#include <cstdio>
+
+namespace ogive::apps
+{
+namespace
+{
+const char *rung(input::Dimension d)
+{
+  switch (d)
+  {
+    case input::Dimension::uniaxial:
+      return "uniaxial (1-D)";
+    case input::Dimension::plane_strain:
+      return "plane strain (2-D)";
+    case input::Dimension::axisymmetric:
+      return "axisymmetric (2-D)";
+    default:
+      return "3-D";
+  }
+}
+} // namespace
+
+void check(const SceneArguments &a)
+{
+  const input::Scene   scene = input::read_scene(a.scene, a.overrides);
+  const coupling::Plan plan  = coupling::plan_scene(scene);
+
+  std::printf("%s: %s\n", scene.name.c_str(), scene.title.c_str());
+  std::string planes;
+  for (const input::SymmetryPlane &p : scene.symmetry)
+    planes += std::string(planes.empty() ? "" : ", ") + "xyz"[p.axis];
+  std::printf("  dimension  %s%s%s\n", rung(scene.dimension), planes.empty() ? "" : ", symmetry planes ", planes.c_str());
+  for (const input::Body &body : scene.bodies)
+    std::printf("  body       %-16s %s, %s, spacing %s m, %.6g m/s\n", body.name.c_str(),
+                body.method == input::Method::fem ? "elements" : "particles", body.material.c_str(),
+                engineering(body.spacing).c_str(), body.velocity.norm());
+  for (const input::Interface &i : scene.interfaces)
+    std::printf("  interface  %-16s %s, %s | %s\n", i.name.c_str(), i.method.c_str(), i.particles.c_str(), i.mesh.c_str());
+  for (const input::Contact &c : scene.contacts)
+    std::printf("  contact    %-16s %s and %s, friction %g\n", c.name.c_str(), c.first.c_str(), c.second.c_str(),
+                c.friction);
+  std::printf("  counts     %zu particles, %zu elements, %.6g kg\n", plan.particles, plan.elements, plan.mass);
+
+  std::vector<std::string> bodies;
+  for (const input::Body &body : scene.bodies)
+    bodies.push_back(body.name);
+  std::printf("  step       %s s, set by %s\n", engineering(plan.limit.dt).c_str(),
+              describe(plan.limit.culprit, bodies).c_str());
+  std::printf("  to the end %s s: about %.0f steps, %.3g s of processor time (%s s a step on this machine)\n",
+              engineering(scene.end_time).c_str(), plan.steps, plan.steps * plan.seconds_per_step,
+              engineering(plan.seconds_per_step).c_str());
+  std::printf("  memory     %.1f MiB\n", plan.memory_bytes / (1024. * 1024.));
+}
+} // namespace ogive::apps

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+/// The commands of `ogive`. Each throws InputError (exit status 2) or RunError
+/// (exit status 1) and prints what the user asked for to standard output.
+namespace ogive::apps
+{
+struct SceneArguments
+{
+  std::string              scene;     ///< a .prm or .json file
+  std::vector<std::string> overrides; ///< "Section/entry=value"
+};
+
+struct RunArguments : SceneArguments
+{
+  std::string directory; ///< empty: results/<scene>-<n>
+  bool        force = false;
+};
+
+struct RestartArguments
+{
+  std::string directory;
+  std::string from; ///< a checkpoint file; empty: the last one of the directory
+};
+
+struct BenchArguments
+{
+  int    sph_edge = 40; ///< particles along an edge of the block
+  int    fem_edge = 48; ///< elements along an edge of the block
+  int    steps    = 20;
+  std::string json; ///< file for the figures, empty for none
+};
+
+void check(const SceneArguments &);
+void run(const RunArguments &);
+void restart(const RestartArguments &);
+void materials(const std::string &name);
+void reference();
+void bench(const BenchArguments &);
+} // namespace ogive::apps

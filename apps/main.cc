@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "apps/commands.h"
+#include "commit.h"
+#include "core/base/error.h"
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+
+namespace
+{
+enum ExitStatus
+{
+  done = 0,
+  run_failed,
+  bad_input
+};
+
+void add_scene(CLI::App &command, ogive::apps::SceneArguments &a)
+{
+  command.add_option("SCENE", a.scene, "scene file (.prm or .json)")->required();
+  command.add_option("--set", a.overrides, "\"Section/entry=value\", may be given several times");
+}
+} // namespace
+
+int main(int argc, char *argv[])
+{
+  using namespace ogive;
+
+  CLI::App app("Ogive: impact simulation that couples smoothed particles with finite elements", "ogive");
+  app.require_subcommand(1);
+  app.set_version_flag("--version", std::string("ogive ") + OGIVE_VERSION + " (" + OGIVE_COMMIT + ")");
+
+  apps::SceneArguments check_arguments;
+  CLI::App *check = app.add_subcommand("check", "validate a scene and print the plan");
+  add_scene(*check, check_arguments);
+
+  apps::RunArguments run_arguments;
+  CLI::App *run = app.add_subcommand("run", "run a scene");
+  add_scene(*run, run_arguments);
+  run->add_option("-o,--output", run_arguments.directory, "directory of the results (results/<scene>-<n>)");
+  run->add_flag("--force", run_arguments.force, "replace earlier results in the directory");
+
+  apps::RestartArguments restart_arguments;
+  CLI::App *restart = app.add_subcommand("restart", "continue a run from a checkpoint");
+  restart->add_option("DIR", restart_arguments.directory, "directory of the results")->required();
+  restart->add_option("--from", restart_arguments.from, "checkpoint file (the last one of DIR)");
+
+  std::string material;
+  CLI::App   *materials = app.add_subcommand("materials", "the library, with sources and valid ranges");
+  materials->add_option("NAME", material, "one material in full");
+
+  CLI::App *reference = app.add_subcommand("reference", "every scene entry: unit, bounds, default, meaning");
+
+  apps::BenchArguments bench_arguments;
+  CLI::App *bench = app.add_subcommand("bench", "throughput per kernel on this machine");
+  bench->add_option("--sph-edge", bench_arguments.sph_edge, "particles along an edge")->check(CLI::Range(8, 200));
+  bench->add_option("--fem-edge", bench_arguments.fem_edge, "elements along an edge")->check(CLI::Range(4, 300));
+  bench->add_option("--steps", bench_arguments.steps, "steps to time")->check(CLI::Range(2, 100000));
+  bench->add_option("--json", bench_arguments.json, "write the figures to this file");
+
+  try
+  {
+    app.parse(argc, argv);
+  }
+  catch (const CLI::ParseError &e)
+  {
+    return app.exit(e) == 0 ? done : bad_input;
+  }
+
+  try
+  {
+    if (*check)
+      apps::check(check_arguments);
+    else if (*run)
+      apps::run(run_arguments);
+    else if (*restart)
+      apps::restart(restart_arguments);
+    else if (*materials)
+      apps::materials(material);
+    else if (*reference)
+      apps::reference();
+    else if (*bench)
+      apps::bench(bench_arguments);
+  }
+  catch (const InputError &e)
+  {
+    std::cerr << "ogive: " << e.what() << '\n';
+    return bad_input;
+  }
+  catch (const std::exception &e)
+  {
+    std::cerr << "ogive: " << e.what() << '\n';
+    return run_failed;
+  }
+  return done;
+}

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "apps/commands.h"
+
+#include "core/input/reader.h"
+
+#include <cstdio>
+
+namespace ogive::apps
+{
+void reference()
+{
+  std::fputs(input::reference().c_str(), stdout);
+}
+} // namespace ogive::apps

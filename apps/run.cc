@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "apps/commands.h"
+
+#include "commit.h"
+
+#include "core/base/error.h"
+#include "core/base/log.h"
+#include "core/input/reader.h"
+#include "core/io/files.h"
+#include "coupling/run.h"
+
+#include <cstdio>
+#include <filesystem>
+
+namespace ogive::apps
+{
+namespace
+{
+void print_quantities(const io::Summary &summary)
+{
+  std::printf("\n%s\n", summary.title.c_str());
+  if (!summary.quantities.empty())
+    std::printf("  %-26s %14s %14s %10s  %s\n", "quantity", "value", "reference", "error", "unit, kind of reference");
+  for (const io::Summary::Quantity &q : summary.quantities)
+  {
+    std::printf("  %-26s %14.6g", q.name.c_str(), q.value);
+    if (q.reference)
+      std::printf(" %14.6g", *q.reference);
+    else
+      std::printf(" %14s", "-");
+    if (const auto error = q.relative_error())
+      std::printf(" %+9.3f%%", 100 * *error);
+    else
+      std::printf(" %10s", "-");
+    std::printf("  %s%s%s\n", q.unit.c_str(), q.kind.empty() ? "" : ", ", q.kind.c_str());
+  }
+}
+
+void print_checks(const io::Summary &summary)
+{
+  const io::Summary::Checks &c = summary.checks;
+  std::printf("  drift: mass %.2e, momentum %.2e, angular momentum %.2e, energy %.2e; hourglass/internal %.2e\n",
+              c.mass_drift, c.momentum_drift, c.angular_momentum_drift, c.energy_drift, c.hourglass_fraction);
+  std::printf("  %lld steps to %.6g s, %lld particles, %lld elements, %.1f s wall, %.1f s in the solvers\n",
+              static_cast<long long>(summary.steps), summary.end_time_s, static_cast<long long>(summary.particles),
+              static_cast<long long>(summary.elements), summary.wall_s, summary.core_s);
+  if (summary.sph_particle_steps_per_core_s)
+    std::printf("  particles: %.3g particle-steps/s\n", *summary.sph_particle_steps_per_core_s);
+  if (summary.fem_element_steps_per_core_s)
+    std::printf("  elements: %.3g element-steps/s\n", *summary.fem_element_steps_per_core_s);
+  if (summary.limiter)
+    std::printf("  the step was set by the %s of \"%s\" in %.0f %% of the steps (%s)\n",
+                summary.limiter->entity.c_str(), summary.limiter->body.c_str(), 100 * summary.limiter->share,
+                summary.limiter->why.c_str());
+}
+
+void print_files(const io::RunDirectory &directory)
+{
+  std::printf("  written to %s: summary.json, history.csv, results.xdmf (open in ParaView), resolved.prm, %s\n",
+              directory.path().c_str(),
+              std::filesystem::path(directory.last_checkpoint()).filename().string().c_str());
+}
+
+void print(const io::Summary &summary, const io::RunDirectory &directory)
+{
+  print_quantities(summary);
+  print_checks(summary);
+  print_files(directory);
+}
+} // namespace
+
+void run(const RunArguments &a)
+{
+  const input::Scene     scene    = input::read_scene(a.scene, a.overrides);
+  const std::string      resolved = input::write_resolved(scene);
+  const io::RunDirectory directory =
+    io::RunDirectory::create(a.directory.empty() ? io::RunDirectory::default_name(scene.name) : a.directory, a.force);
+  io::write_whole(directory.resolved_scene(), resolved);
+  Log log;
+  print(coupling::run_scene(scene, directory, {resolved, OGIVE_VERSION, OGIVE_COMMIT}, log), directory);
+}
+
+void restart(const RestartArguments &a)
+{
+  const io::RunDirectory      directory = io::RunDirectory::open(a.directory);
+  const std::string           file      = a.from.empty() ? directory.last_checkpoint() : a.from;
+  const io::Hdf5ArchiveReader checkpoint(file);
+  const std::string           resolved = checkpoint.text("scene");
+  if (!std::filesystem::exists(directory.resolved_scene()))
+    io::write_whole(directory.resolved_scene(), resolved);
+  if (io::read_whole(directory.resolved_scene()) != resolved)
+    throw InputError(directory.resolved_scene() + ": differs from the scene in " + file +
+                     "; a run goes on with the scene it began with: remove the file, or start a new run from it");
+
+  const input::Scene scene = input::read_scene(directory.resolved_scene());
+  Log                log;
+  if (checkpoint.text("commit") != OGIVE_COMMIT)
+    log.warn("the checkpoint was written by commit " + checkpoint.text("commit") + ", this is " + OGIVE_COMMIT +
+             ": the rest need not be equal to the bit");
+  print(coupling::restart_scene(scene, directory, checkpoint, {resolved, OGIVE_VERSION, OGIVE_COMMIT}, log),
+        directory);
+}
+} // namespace ogive::apps

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "coupling/model.h"
+
+#include "core/base/error.h"
+#include "fem/mesh.h"
+#include "sph/fill.h"
+
+#include <ctime>
+#include <map>
+#include <utility>
+
+namespace ogive::coupling
+{
+namespace
+{
+/// Adds the processor time of its life to a counter.
+class Stopwatch
+{
+public:
+  explicit Stopwatch(double &seconds)
+    : seconds_(seconds)
+    , start_(std::clock())
+  {}
+  ~Stopwatch() { seconds_ += static_cast<double>(std::clock() - start_) / CLOCKS_PER_SEC; }
+
+private:
+  double      &seconds_;
+  std::clock_t start_;
+};
+
+std::map<std::string, std::shared_ptr<const materials::Material>> build_materials(const input::Scene &scene)
+{
+  std::map<std::string, std::shared_ptr<const materials::Material>> built;
+  for (const materials::Parameters &p : scene.materials)
+    built[p.name] = materials::make_material(p);
+  return built;
+}
+
+int body_index(const input::Scene &scene, const std::string &name)
+{
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+    if (scene.bodies[b].name == name)
+      return static_cast<int>(b);
+  throw InputError("no body \"" + name + "\" in the scene");
+}
+
+std::vector<int> boundary_bodies(const input::Scene &scene)
+{
+  std::vector<int> bodies;
+  for (const input::Boundary &boundary : scene.boundaries)
+    bodies.push_back(body_index(scene, boundary.body));
+  return bodies;
+}
+} // namespace
+
+template <int dim>
+Model<dim>::Model(const input::Scene &scene)
+  : n_walls_(scene.walls.size())
+{
+  const auto                              materials = build_materials(scene);
+  std::vector<fem::BodyMesh<dim>>         meshes;
+  std::vector<sph::BodyParticles<dim>>    clouds;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+  {
+    const input::Body &body     = scene.bodies[b];
+    const auto         material = materials.at(body.material);
+    if (body.method == input::Method::fem)
+      meshes.push_back(fem::make_mesh<dim>(body, scene, static_cast<int>(b), material));
+    else
+      clouds.push_back(sph::fill<dim>(body, scene, static_cast<int>(b), material));
+  }
+  if (!meshes.empty())
+    fem_ = std::make_unique<fem::Solver<dim>>(
+      fem::Parameters{scene.fem, scene.dimension == input::Dimension::axisymmetric, scene.symmetry, scene.walls,
+                      scene.boundaries, boundary_bodies(scene)},
+      std::move(meshes));
+  if (!clouds.empty())
+    sph_ = std::make_unique<sph::Solver<dim>>(
+      sph::Parameters{scene.sph, scene.symmetry, scene.walls, scene.boundaries, boundary_bodies(scene)},
+      std::move(clouds));
+  coupler_ = std::make_unique<Coupler<dim>>(scene, fem_.get(), sph_.get());
+  for (const input::Contact &contact : scene.contacts)
+    contact_bodies_.emplace_back(body_index(scene, contact.first), body_index(scene, contact.second));
+}
+
+template <int dim>
+StepLimit Model<dim>::stable_dt() const
+{
+  StepLimit limit = coupler_->stable_dt();
+  if (fem_)
+    limit.tighten(fem_->stable_dt());
+  if (sph_)
+    limit.tighten(sph_->stable_dt());
+  return limit;
+}
+
+template <int dim>
+StepStatus Model<dim>::step(const TimeStep &step)
+{
+  coupler_->gather();
+  StepStatus status;
+  if (fem_)
+  {
+    const Stopwatch watch(fem_seconds_);
+    status = fem_->step(step);
+  }
+  coupler_->drive();
+  if (sph_ && status.ok)
+  {
+    const Stopwatch watch(sph_seconds_);
+    status = sph_->step(step);
+  }
+  if (status.ok)
+    coupler_->close(step);
+  return status;
+}
+
+template <int dim>
+void Model<dim>::snapshot()
+{
+  if (fem_)
+    fem_->snapshot();
+  if (sph_)
+    sph_->snapshot();
+  coupler_->snapshot();
+}
+
+template <int dim>
+void Model<dim>::restore()
+{
+  if (fem_)
+    fem_->restore();
+  if (sph_)
+    sph_->restore();
+  coupler_->restore();
+}
+
+template <int dim>
+void Model<dim>::save(ArchiveWriter &archive) const
+{
+  if (fem_)
+    fem_->save(archive, "fem");
+  if (sph_)
+    sph_->save(archive, "sph");
+  coupler_->save(archive, "coupling");
+}
+
+template <int dim>
+void Model<dim>::load(const ArchiveReader &archive)
+{
+  if (fem_)
+    fem_->load(archive, "fem");
+  if (sph_)
+    sph_->load(archive, "sph");
+  coupler_->load(archive, "coupling");
+}
+
+template <int dim>
+LedgerRow Model<dim>::ledger() const
+{
+  return ledger_row(fem_ ? fem_->balance() : Balance(), sph_ ? sph_->balance() : Balance(), coupler_->balance());
+}
+
+template <int dim>
+Sample Model<dim>::sample(int body) const
+{
+  Sample sample;
+  if (fem_)
+    sample = fem_->sample(body);
+  if (sph_ && sample.mass.empty())
+    sample = sph_->sample(body);
+  return sample;
+}
+
+template <int dim>
+std::vector<double> Model<dim>::wall_forces() const
+{
+  std::vector<double> force(n_walls_, 0.);
+  for (std::size_t w = 0; w < n_walls_; ++w)
+    force[w] = (fem_ ? fem_->wall_force(w) : 0.) + (sph_ ? sph_->wall_force(w) : 0.);
+  return force;
+}
+
+template <int dim>
+double Model<dim>::contact_force() const
+{
+  double force = 0;
+  for (const auto &[first, second] : contact_bodies_)
+    force += coupler_->contact_force(first, second).norm();
+  return force;
+}
+
+template class Model<1>;
+template class Model<2>;
+template class Model<3>;
+} // namespace ogive::coupling

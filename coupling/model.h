@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "core/base/balance.h"
+#include "core/base/culprit.h"
+#include "core/base/sample.h"
+#include "core/input/scene.h"
+#include "core/io/archive.h"
+#include "core/time/time_step.h"
+#include "coupling/coupler.h"
+#include "coupling/ledger.h"
+#include "fem/solver.h"
+#include "sph/solver.h"
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace ogive::coupling
+{
+/// The bodies of a scene in their solvers, and the layer between: everything
+/// that moves, nothing that watches.
+template <int dim>
+class Model
+{
+public:
+  explicit Model(const input::Scene &);
+
+  StepLimit stable_dt() const;
+
+  /// One step of all: forces of the coupling at t_n, the mesh, the slaves, the
+  /// particles, the books.
+  StepStatus step(const TimeStep &);
+
+  void snapshot();
+  void restore();
+  void save(ArchiveWriter &) const;
+  void load(const ArchiveReader &);
+
+  LedgerRow ledger() const;
+  Sample    sample(int body) const;
+
+  /// Force of each rigid wall in the last step, N into the material.
+  std::vector<double> wall_forces() const;
+  /// Sum over the listed contacts of the force between the two bodies, N.
+  double contact_force() const;
+
+  std::size_t   particles() const { return sph_ ? sph_->size() : 0; }
+  std::size_t   elements() const { return fem_ ? fem_->size() : 0; }
+  std::uint64_t particle_updates() const { return sph_ ? sph_->updates() : 0; }
+  std::uint64_t element_updates() const { return fem_ ? fem_->updates() : 0; }
+  double        sph_seconds() const { return sph_seconds_; } ///< processor time spent in the particle solver
+  double        fem_seconds() const { return fem_seconds_; }
+
+private:
+  std::size_t                        n_walls_;
+  std::vector<std::pair<int, int>>   contact_bodies_; ///< of each contact of the scene
+  std::unique_ptr<fem::Solver<dim>>  fem_;
+  std::unique_ptr<sph::Solver<dim>>  sph_;
+  std::unique_ptr<Coupler<dim>>      coupler_;
+  double                             sph_seconds_ = 0, fem_seconds_ = 0;
+};
+
+extern template class Model<1>;
+extern template class Model<2>;
+extern template class Model<3>;
+} // namespace ogive::coupling

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "coupling/observers/observer.h"
+
+#include "core/base/error.h"
+#include "coupling/observers/motion.h"
+#include "coupling/observers/shape.h"
+#include "coupling/observers/waves.h"
+
+#include <array>
+
+namespace ogive::coupling
+{
+void Observer::save(ArchiveWriter &archive, const std::string &prefix) const
+{
+  const std::vector<double> numbers = memory();
+  if (!numbers.empty())
+    archive.write(prefix, std::span<const double>(numbers));
+}
+
+void Observer::load(const ArchiveReader &archive, const std::string &prefix)
+{
+  if (!memory().empty())
+    recall(archive.doubles(prefix));
+}
+
+namespace
+{
+template <class Kind>
+std::unique_ptr<Observer> make(const input::Observer &o, const input::Scene &scene)
+{
+  return std::make_unique<Kind>(o, scene);
+}
+
+struct Maker
+{
+  const char *quantity;
+  std::unique_ptr<Observer> (*make)(const input::Observer &, const input::Scene &);
+};
+
+constexpr std::array makers = {
+  Maker{"final_length", make<Length>},
+  Maker{"foot_radius", make<FootRadius>},
+  Maker{"displacement", make<Displacement>},
+  Maker{"residual_velocity", make<MeanVelocity>},
+  Maker{"rebound_velocity", make<MeanVelocity>},
+  Maker{"perforated", make<Perforation>},
+  Maker{"contact_time", make<ContactTime>},
+  Maker{"plastic_shock_speed", make<FrontSpeed>},
+  Maker{"precursor_speed", make<FrontSpeed>},
+  Maker{"plateau_stress", make<PlateauStress>},
+  Maker{"gauge_velocity", make<GaugeVelocity>},
+  Maker{"gauge_stress", make<GaugeStress>},
+  Maker{"angular_momentum_drift", make<AngularMomentumDrift>},
+  Maker{"energy_kept", make<EnergyKept>},
+  Maker{"peak_stress", make<PeakStress>},
+  Maker{"greatest_damage", make<GreatestDamage>},
+};
+} // namespace
+
+std::unique_ptr<Observer> make_observer(const input::Observer &o, const input::Scene &scene)
+{
+  for (const Maker &maker : makers)
+    if (o.quantity == maker.quantity)
+      return maker.make(o, scene);
+  throw InputError("observer \"" + o.name + "\": nothing measures the quantity \"" + o.quantity + "\"");
+}
+
+std::vector<std::string> observable_quantities()
+{
+  std::vector<std::string> names;
+  for (const Maker &maker : makers)
+    names.emplace_back(maker.quantity);
+  return names;
+}
+} // namespace ogive::coupling

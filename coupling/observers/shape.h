@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "coupling/observers/body_observer.h"
+
+namespace ogive::coupling
+{
+/// Extent along the direction; particles count with half their spacing.
+class Length : public BodyObserver
+{
+public:
+  using BodyObserver::BodyObserver;
+
+protected:
+  double measure(const Sample &, double time) override;
+};
+
+/// Radius of the foot of a Taylor bar.
+class FootRadius : public BodyObserver
+{
+public:
+  FootRadius(const input::Observer &, const input::Scene &);
+
+protected:
+  double measure(const Sample &, double time) override;
+
+private:
+  Vec3 base_;
+};
+
+class PeakStress : public BodyObserver
+{
+public:
+  using BodyObserver::BodyObserver;
+
+protected:
+  double measure(const Sample &, double time) override;
+};
+
+class GreatestDamage : public BodyObserver
+{
+public:
+  using BodyObserver::BodyObserver;
+
+protected:
+  double measure(const Sample &, double time) override;
+};
+} // namespace ogive::coupling

@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "coupling/run.h"
+
+#include "core/base/error.h"
+#include "core/io/field_writer.h"
+#include "core/io/history_writer.h"
+#include "core/time/clock.h"
+#include "coupling/model.h"
+#include "coupling/run_report.h"
+#include "coupling/stop.h"
+
+#include <sys/resource.h>
+
+#include <chrono>
+#include <cmath>
+#include <map>
+#include <optional>
+
+namespace ogive::coupling
+{
+namespace
+{
+/// Steps between the states that a rejected step goes back to.
+constexpr std::int64_t mark_interval = 16;
+
+StepControl step_control(const input::Scene &scene)
+{
+  StepControl control{.smallest_step_ratio = scene.limits.smallest_step_ratio};
+  for (const input::Body &body : scene.bodies)
+    control.bodies.push_back(body.name);
+  return control;
+}
+
+template <int dim>
+class Run
+{
+public:
+  Run(const input::Scene &scene, const io::RunDirectory &directory, const RunLabels &labels, Log &log)
+    : scene_(scene)
+    , directory_(directory)
+    , labels_(labels)
+    , log_(log)
+    , control_(step_control(scene))
+    , model_(scene)
+    , clock_(scene.end_time, control_)
+    , mark_clock_(clock_)
+    , history_due_(scene.output.history_interval)
+    , fields_due_(scene.output.field_interval)
+    , checkpoint_due_(scene.output.checkpoint_interval)
+    , stop_(scene)
+    , report_(scene)
+  {}
+
+  void begin()
+  {
+    history_.emplace(directory_.history(), report_.columns());
+    fields_.emplace(directory_.path());
+    history_due_.due(clock_);
+    fields_due_.due(clock_);
+    checkpoint_due_.due(clock_);
+    write_row();
+    write_fields();
+    mark();
+  }
+
+  void resume(const io::Hdf5ArchiveReader &archive);
+
+  io::Summary go()
+  {
+    while (!clock_.done() && !stop_.stop())
+    {
+      const StepLimit limit = model_.stable_dt();
+      const TimeStep  step  = clock_.plan(limit);
+      if (const StepStatus status = model_.step(step); !status.ok)
+      {
+        reject(status.culprit);
+        continue;
+      }
+      clock_.advance();
+      report_.limited_by(limit);
+      watch();
+    }
+    return finish();
+  }
+
+private:
+  void mark()
+  {
+    model_.snapshot();
+    mark_clock_ = clock_;
+    mark_step_  = clock_.step();
+  }
+
+  /// Back to the last mark, with half the step it began with.
+  void reject(const Culprit &culprit)
+  {
+    model_.restore();
+    clock_ = mark_clock_;
+    clock_.plan(model_.stable_dt());
+    clock_.shrink(culprit);
+    mark_clock_ = clock_;
+    log_.warn("step rejected at " + engineering(clock_.time()) + " s: " + describe(culprit, control_.bodies) +
+              "; going on with a smaller step");
+  }
+
+  void watch()
+  {
+    const std::vector<double> wall = model_.wall_forces();
+    const StepFrame           frame{clock_.time(), wall, model_.contact_force()};
+    stop_.every_step(frame);
+    report_.every_step(frame);
+
+    const bool row = history_due_.due(clock_), state = fields_due_.due(clock_), save = checkpoint_due_.due(clock_);
+    if (row)
+      write_row();
+    if (state)
+      write_fields();
+    if (save)
+      write_checkpoint();
+    if (row || state || save || clock_.step() - mark_step_ >= mark_interval)
+      mark();
+  }
+
+  void write_row()
+  {
+    const LedgerRow ledger = model_.ledger();
+    std::map<int, Sample> samples;
+    RowFrame              frame{clock_.time(),
+                   [&](int body) -> const Sample & {
+                     const auto at = samples.find(body);
+                     return at != samples.end() ? at->second : samples.emplace(body, model_.sample(body)).first->second;
+                   },
+                   ledger.kinetic, ledger.elastic, ledger.angular_momentum};
+    stop_.row(frame);
+    history_->row(report_.row(frame, clock_.step(), ledger));
+    row_step_ = clock_.step();
+    log_.progress({clock_.time(), clock_.end_time(), start_time_, seconds(), clock_.step(), report_.limiter(),
+                   report_.drift()});
+    if (std::string fault = report_.fault(scene_.limits.energy_drift); !fault.empty())
+      throw RunError("at " + engineering(clock_.time()) + " s: " + fault);
+  }
+
+  void write_fields()
+  {
+    std::vector<io::FieldBlock> blocks;
+    for (std::size_t b = 0; b < scene_.bodies.size(); ++b)
+      blocks.push_back(io::make_block(scene_.bodies[b].name, model_.sample(static_cast<int>(b))));
+    fields_->write(clock_.time(), blocks);
+    fields_step_ = clock_.step();
+  }
+
+  void write_checkpoint();
+  io::Summary finish();
+
+  double seconds() const
+  {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
+  }
+
+  const input::Scene                   &scene_;
+  const io::RunDirectory               &directory_;
+  const RunLabels                      &labels_;
+  Log                                  &log_;
+  StepControl                           control_;
+  Model<dim>                            model_;
+  Clock                                 clock_, mark_clock_;
+  Schedule                              history_due_, fields_due_, checkpoint_due_;
+  StopWatch                             stop_;
+  RunReport                             report_;
+  std::optional<io::HistoryWriter>      history_;
+  std::optional<io::FieldWriter>        fields_;
+  std::int64_t                          mark_step_ = 0, row_step_ = -1, fields_step_ = -1, checkpoint_step_ = -1;
+  double                                start_time_ = 0;
+  std::chrono::steady_clock::time_point began_      = std::chrono::steady_clock::now();
+};
+
+template <int dim>
+void Run<dim>::write_checkpoint()
+{
+  io::Hdf5ArchiveWriter archive(directory_.checkpoint(clock_.step()));
+  archive.write_text("scene", labels_.resolved);
+  archive.write_text("commit", labels_.commit);
+  clock_.save(archive, "clock");
+  history_due_.save(archive, "schedule/history");
+  fields_due_.save(archive, "schedule/fields");
+  checkpoint_due_.save(archive, "schedule/checkpoint");
+  archive.write("rows", history_->rows());
+  archive.write("states", static_cast<std::int64_t>(fields_->count()));
+  archive.write("row_step", row_step_);
+  archive.write("fields_step", fields_step_);
+  stop_.save(archive, "stop");
+  report_.save(archive, "report");
+  model_.save(archive);
+  archive.commit();
+  checkpoint_step_ = clock_.step();
+}
+
+template <int dim>
+void Run<dim>::resume(const io::Hdf5ArchiveReader &archive)
+{
+  clock_.load(archive, "clock");
+  history_due_.load(archive, "schedule/history");
+  fields_due_.load(archive, "schedule/fields");
+  checkpoint_due_.load(archive, "schedule/checkpoint");
+  row_step_    = archive.integer("row_step");
+  fields_step_ = archive.integer("fields_step");
+  stop_.load(archive, "stop");
+  report_.load(archive, "report");
+  model_.load(archive);
+  history_.emplace(io::HistoryWriter::resume(directory_.history(), report_.columns(), archive.integer("rows")));
+  fields_.emplace(
+    io::FieldWriter::resume(directory_.path(), static_cast<std::size_t>(archive.integer("states"))));
+  start_time_      = clock_.time();
+  checkpoint_step_ = clock_.step();
+  mark();
+}
+
+template <int dim>
+io::Summary Run<dim>::finish()
+{
+  if (row_step_ != clock_.step())
+    write_row();
+  if (fields_step_ != clock_.step())
+    write_fields();
+  if (checkpoint_step_ != clock_.step())
+    write_checkpoint();
+  log_.finish();
+
+  io::Summary summary                  = report_.summary();
+  summary.version                      = labels_.version;
+  summary.commit                       = labels_.commit;
+  summary.wall_s                       = seconds();
+  summary.core_s                       = model_.sph_seconds() + model_.fem_seconds();
+  summary.steps                        = clock_.step();
+  summary.end_time_s                   = clock_.time();
+  summary.particles                    = static_cast<std::int64_t>(model_.particles());
+  summary.elements                     = static_cast<std::int64_t>(model_.elements());
+  summary.sph_particle_steps_per_core_s = rate(model_.particle_updates(), model_.sph_seconds());
+  summary.fem_element_steps_per_core_s  = rate(model_.element_updates(), model_.fem_seconds());
+  summary.warnings                     = log_.warnings();
+  io::write_summary(directory_.summary(), summary);
+  return summary;
+}
+
+template <int dim>
+Plan make_plan(const input::Scene &scene)
+{
+  Model<dim> model(scene);
+  Plan       plan;
+  plan.particles = model.particles();
+  plan.elements  = model.elements();
+  plan.limit     = model.stable_dt();
+  plan.steps     = std::ceil(scene.end_time / plan.limit.dt);
+  plan.mass      = model.ledger().mass;
+
+  Clock          clock(scene.end_time, step_control(scene));
+  constexpr int  trials = 5;
+  const auto     start  = std::chrono::steady_clock::now();
+  for (int k = 0; k < trials && !clock.done(); ++k)
+  {
+    if (!model.step(clock.plan(model.stable_dt())).ok)
+      break;
+    clock.advance();
+  }
+  plan.seconds_per_step = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / trials;
+
+  rusage usage;
+  getrusage(RUSAGE_SELF, &usage);
+  plan.memory_bytes = 1024. * static_cast<double>(usage.ru_maxrss);
+  return plan;
+}
+
+/// Calls f.template operator()<dim>() for the dimension of the scene.
+template <class F>
+auto with_dimension(const input::Scene &scene, F &&f)
+{
+  switch (input::space_dimension(scene.dimension))
+  {
+    case 1:
+      return f.template operator()<1>();
+    case 2:
+      return f.template operator()<2>();
+    default:
+      return f.template operator()<3>();
+  }
+}
+} // namespace
+
+io::Summary run_scene(const input::Scene &scene, const io::RunDirectory &directory, const RunLabels &labels, Log &log)
+{
+  return with_dimension(scene, [&]<int dim>() {
+    Run<dim> run(scene, directory, labels, log);
+    run.begin();
+    return run.go();
+  });
+}
+
+io::Summary restart_scene(const input::Scene &scene, const io::RunDirectory &directory,
+                          const io::Hdf5ArchiveReader &checkpoint, const RunLabels &labels, Log &log)
+{
+  return with_dimension(scene, [&]<int dim>() {
+    Run<dim> run(scene, directory, labels, log);
+    run.resume(checkpoint);
+    return run.go();
+  });
+}
+
+Plan plan_scene(const input::Scene &scene)
+{
+  return with_dimension(scene, [&]<int dim>() { return make_plan<dim>(scene); });
+}
+} // namespace ogive::coupling

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "core/base/log.h"
+#include "core/input/scene.h"
+#include "core/io/hdf5_archive.h"
+#include "core/io/run_directory.h"
+#include "core/io/summary.h"
+
+#include <string>
+
+namespace ogive::coupling
+{
+/// Runs a scene to its end and writes what design.md promises into the
+/// directory: history.csv, results.xdmf + .h5, checkpoints, summary.json.
+/// `resolved` is the text of the scene with every default filled in; it goes
+/// into each checkpoint. `version` and `commit` go into the summary. Throws
+/// RunError naming entity, place, time and cause when the run cannot go on.
+struct RunLabels
+{
+  std::string resolved, version, commit;
+};
+
+io::Summary run_scene(const input::Scene &, const io::RunDirectory &, const RunLabels &, Log &);
+
+/// Goes on from a checkpoint of the directory; rows and states written after it
+/// are dropped, and what follows is equal to the bit to an unbroken run.
+io::Summary restart_scene(const input::Scene &, const io::RunDirectory &, const io::Hdf5ArchiveReader &checkpoint,
+                          const RunLabels &, Log &);
+
+/// What `ogive check` prints: counts, the first step and who sets it, and the
+/// processor time of one step, measured on a few steps that are thrown away.
+struct Plan
+{
+  std::size_t particles = 0, elements = 0;
+  StepLimit   limit;
+  double      steps            = 0; ///< to the end time at the first step
+  double      seconds_per_step = 0;
+  double      memory_bytes     = 0; ///< of the process, with the model built
+  double      mass             = 0; ///< kg, of the modelled part
+};
+Plan plan_scene(const input::Scene &);
+} // namespace ogive::coupling

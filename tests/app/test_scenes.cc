@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The shipped scenes, each held to the bar that its README states.
+#include "tests/app/command.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace ogive::test;
+
+namespace
+{
+/// Runs a scene and returns its summary.
+nlohmann::json run(const std::string &name, const std::vector<std::string> &settings = {})
+{
+  const Scratch            scratch;
+  std::vector<std::string> arguments = {"run", scene(name), "-o", scratch.path("r")};
+  for (const std::string &s : settings)
+    arguments.insert(arguments.end(), {"--set", s});
+  const Outcome outcome = ogive::test::ogive(arguments);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  return outcome.status == 0 ? summary(scratch.path("r")) : nlohmann::json();
+}
+
+double error(const nlohmann::json &s, const std::string &name)
+{
+  return std::abs(s.at("quantities").at(name).at("relative_error").get<double>());
+}
+
+double check(const nlohmann::json &s, const std::string &name)
+{
+  return std::abs(s.at("checks").at(name).get<double>());
+}
+
+void elastic_bar_holds(const nlohmann::json &s)
+{
+  // exact: contact 2 L/c_L, restitution 1
+  EXPECT_LT(error(s, "contact_time"), .02);
+  EXPECT_LT(error(s, "rebound_velocity"), .02);
+  EXPECT_LT(check(s, "energy_drift"), .01);
+}
+
+void piston_holds(const nlohmann::json &s)
+{
+  // exact: validation A3, ExactPack ep_piston
+  EXPECT_LT(error(s, "plastic_shock_speed"), .01);
+  EXPECT_LT(error(s, "plateau_stress"), .01);
+  EXPECT_LT(error(s, "precursor_speed"), .02);
+  EXPECT_LT(check(s, "energy_drift"), .01);
+}
+} // namespace
+
+TEST(ElasticBar, Elements) { elastic_bar_holds(run("elastic-bar/scene.prm")); }
+
+TEST(ElasticBar, Particles)
+{
+  const auto s = run("elastic-bar/scene.prm", {"Bodies/bar/method=sph"});
+  elastic_bar_holds(s);
+  EXPECT_LT(check(s, "energy_drift"), 1e-10);
+}
+
+TEST(ElasticBar, Split)
+{
+  const auto s = run("elastic-bar/split.prm");
+  elastic_bar_holds(s);
+  EXPECT_LT(error(s, "rear_velocity"), .02);
+}
+
+TEST(PistonCopper, ParticlesAt20) { piston_holds(run("piston-copper/scene.prm")); }
+TEST(PistonCopper, ParticlesAt40) { piston_holds(run("piston-copper/piston-40.prm")); }
+TEST(PistonCopper, ElementsAt20) { piston_holds(run("piston-copper/scene.prm", {"Bodies/copper/method=fem"})); }
+TEST(PistonCopper, ElementsAt40) { piston_holds(run("piston-copper/piston-40.prm", {"Bodies/copper/method=fem"})); }
+
+TEST(TaylorCopper, Axisymmetric)
+{
+  const auto s = run("taylor-copper-227/axisymmetric.prm");
+  EXPECT_LT(error(s, "final_length"), .01);
+  EXPECT_LT(error(s, "foot_radius"), .01);
+  EXPECT_LT(check(s, "energy_drift"), .01);
+}
