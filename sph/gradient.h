@@ -40,6 +40,7 @@ template <int dim, class Kernel, bool standard>
       for (int b = 0; b < dim; ++b)
       {
         const VDouble f = vg * dx[b];
+        sum[L::normal_sum + b] += f;
         for (int a = 0; a <= b; ++a)
           sum[L::m_sum + L::sym(a, b)] -= f * dx[a];
         for (int a = 0; a < dim; ++a)

@@ -49,7 +49,7 @@ struct Solver<dim>::Implementation
   AlignedVector<double>      force_records, correction_records, energy_records;
   AlignedVector<double>      gradient_sums, force_sums, power_sums;
   AlignedVector<double>      pair_viscosity, pair_hourglass, pair_damage;
-  AlignedVector<double>      correction_norm; ///< |B|, of the last gradient sweep
+  AlignedVector<double>      wave_number; ///< step_bound.h, 1/m, of the last gradient sweep
   std::vector<std::uint32_t> index_of_id;
   std::vector<std::int64_t>  near_surface; ///< kept through a rebuild's first sweep: part of the state
   std::vector<std::uint32_t> contact_points;

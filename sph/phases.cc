@@ -116,7 +116,9 @@ StepStatus Solver<dim>::Implementation::advance_material(double dt)
           fallbacks += !corrector<dim>(moment<dim>(sums), corrected[k]);
           l = (l * corrected[k]).eval();
         }
-        correction_norm[i] = corrected[k].cwiseAbs().rowwise().sum().maxCoeff();
+        const Eigen::Map<const Eigen::Matrix<double, dim, 1>> normal(sums + L::normal_sum);
+        wave_number[i] = corrected[k].cwiseAbs().rowwise().sum().maxCoeff() * sums[L::stiffness_sum] +
+                         surface_share * (corrected[k] * normal).norm();
         double *record     = &force_records[i * L::force_stride];
         for (int a = 0; a < dim; ++a)
           for (int b = a; b < dim; ++b)

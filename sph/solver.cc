@@ -65,7 +65,7 @@ Solver<dim>::Implementation::Implementation(const Parameters &p, std::vector<Bod
     bodies.push_back(b);
   }
   store.resize(n);
-  correction_norm.resize(n, 1.);
+  wave_number.resize(n);
   radius.resize(n);
   near_surface.resize(n, 0);
   gradient_sums.resize(n * L::gradient_stride);
@@ -145,8 +145,7 @@ StepLimit Solver<dim>::stable_dt() const
   for (std::size_t i = 0; i < s.store.size(); ++i)
   {
     const double *forces = &s.force_sums[i * L::forces_stride];
-    const double  w = s.store.points.sound_speed[i] * s.shares.frequency * s.correction_norm[i] *
-                     s.gradient_sums[i * L::gradient_stride + L::stiffness_sum];
+    const double  w = s.store.points.sound_speed[i] * s.shares.frequency * s.wave_number[i];
     const double damping = (s.shares.viscosity * forces[L::viscous_rate] +
                             s.shares.hourglass * forces[L::hourglass_rate]) /
                            s.store.mass[i];

@@ -28,10 +28,11 @@ struct Layout
   static constexpr std::size_t energy_stride = padded(2 * dim + 1);
 
   /// Sums of the gradient sweep: moment matrix M, G = sum w_j (v_j - v_i) (x)
-  /// gradW, the Shepard sum without self, sum V_j |gradW|, and (standard form)
-  /// d(rho)/dt.
+  /// gradW, the Shepard sum without self, sum V_j |gradW|, sum V_j gradW, and
+  /// (standard form) d(rho)/dt.
   static constexpr int m_sum = 0, g_sum = n_sym, shepard_sum = g_sum + dim * dim, stiffness_sum = shepard_sum + 1,
-                       continuity_sum = stiffness_sum + 1, n_gradient = continuity_sum + 1;
+                       normal_sum = stiffness_sum + 1, continuity_sum = normal_sum + dim,
+                       n_gradient = continuity_sum + 1;
   static constexpr std::size_t gradient_stride = padded(n_gradient);
   /// Sums of the force sweep: force, viscous force, damping rates of the
   /// viscosity and of the hourglass control (1/s, times the mass).
