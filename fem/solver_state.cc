@@ -3,6 +3,8 @@
 #include "fem/embedding.h"
 #include "fem/solver_implementation.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 
 /// What the solver tells others, and its memory.
