@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Conservation, restart, failure and the step bound of the solver.
+#include "core/io/memory_archive.h"
+#include "tests/unit/fem/support.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+using namespace ogive;
+using namespace ogive::fem;
+using namespace ogive::fem::test;
+
+namespace
+{
+/// Distorted block in violent elastic motion, off the axes.
+template <int dim>
+BodyMesh<dim> wild_block(std::shared_ptr<const materials::Material> material, bool axisymmetric = false,
+                         double speed = 40, double distortion = .2)
+{
+  const double h = .8e-3;
+  input::Scene scene;
+  scene.dimension = axisymmetric ? input::Dimension::axisymmetric : input::Dimension::three_d;
+  const double               offset = axisymmetric ? 0 : 1e-3;
+  auto mesh = make_mesh<dim>(box({offset, 2e-3, -1e-3}, {offset + 4 * h, 2e-3 + 5 * h, -1e-3 + 3 * h}, h), scene, 0,
+                             material);
+  std::mt19937                           random(42);
+  std::uniform_real_distribution<double> u(-1, 1);
+  for (std::size_t a = 0; a < mesh.n_nodes(); ++a)
+    for (int i = 0; i < dim; ++i)
+    {
+      // A ring has no rigid motion along its radius.
+      mesh.v[i][a] = 3. * (i + !axisymmetric) + speed * u(random);
+      if (!(axisymmetric && mesh.x[0][a] == 0 && i == 0))
+        mesh.x[i][a] += distortion * h * u(random);
+    }
+  return mesh;
+}
+
+template <int dim>
+std::unique_ptr<Solver<dim>> solver_of(BodyMesh<dim> mesh, Parameters p = {})
+{
+  p.axisymmetric = mesh.axisymmetric;
+  std::vector<BodyMesh<dim>> meshes;
+  meshes.push_back(std::move(mesh));
+  return std::make_unique<Solver<dim>>(p, std::move(meshes));
+}
+
+template <int dim>
+void expect_conservation(bool axisymmetric, const std::string &hourglass)
+{
+  Parameters p;
+  p.options.hourglass = hourglass;
+  auto         solver = solver_of<dim>(wild_block<dim>(make(copper()), axisymmetric), p);
+  Driver<dim>  driver{*solver};
+  const Balance b0 = solver->balance();
+  double        previous = closed(b0);
+  for (int k = 0; k < 200; ++k)
+  {
+    ASSERT_TRUE(driver.once().ok);
+    const double now = closed(solver->balance());
+    ASSERT_NEAR(now / previous, 1, 1e-12) << "step " << k;
+    previous = now;
+  }
+  const Balance b = solver->balance();
+  EXPECT_NEAR(previous / closed(b0), 1, 1e-12);
+  EXPECT_LT(b.kinetic, .9 * b0.kinetic); // it did work
+  EXPECT_GT(b.bulk_viscosity_heat, 0);
+  if (dim > 1)
+    EXPECT_GT(b.hourglass_fem, 0);
+  const double scale = b0.mass * 40;
+  for (int i = axisymmetric ? 1 : 0; i < dim; ++i)
+    EXPECT_NEAR((b.momentum[i] - b0.momentum[i]) / scale, 0, 1e-13);
+}
+TEST(Conservation, Line) { expect_conservation<1>(false, "stiffness"); }
+TEST(Conservation, PlaneStrain) { expect_conservation<2>(false, "stiffness"); }
+TEST(Conservation, Axisymmetric) { expect_conservation<2>(true, "stiffness"); }
+TEST(Conservation, Hex) { expect_conservation<3>(false, "stiffness"); }
+TEST(Conservation, HexViscousHourglass) { expect_conservation<3>(false, "viscous"); }
+
+// x_{n+1} x v_{n+1/2} = x_n x v_{n+1/2}: exact after the first step.
+TEST(Conservation, AngularMomentumOfASpinningBlock)
+{
+  auto mesh = wild_block<3>(make(copper()), false, 0);
+  for (std::size_t a = 0; a < mesh.n_nodes(); ++a)
+  {
+    const Vec3 x(mesh.x[0][a], mesh.x[1][a], mesh.x[2][a]);
+    const Vec3 v = Vec3(2e4, -3e4, 1e4).cross(x - Vec3(2e-3, 4e-3, 0));
+    for (int i = 0; i < 3; ++i)
+      mesh.v[i][a] = v[i];
+  }
+  auto      solver = solver_of<3>(std::move(mesh));
+  Driver<3> driver{*solver};
+  ASSERT_TRUE(driver.once().ok);
+  const Vec3 L0 = solver->balance().angular_momentum;
+  for (int k = 0; k < 2000; ++k)
+    ASSERT_TRUE(driver.once().ok);
+  EXPECT_NEAR((solver->balance().angular_momentum - L0).norm() / L0.norm(), 0, 1e-12);
+}
+
+// Patch test: an affine velocity on a distorted mesh gives every element the
+// same stress, and the net force on inner nodes is zero. The first step moves
+// the nodes freely (no forces yet), so x stays affine.
+template <int dim>
+void expect_patch(bool axisymmetric)
+{
+  auto mesh = wild_block<dim>(make(copper()), axisymmetric, 0);
+  const double g[3][3] = {{900, 400, -300}, {-200, -700, 500}, {100, -600, 800}};
+  for (std::size_t a = 0; a < mesh.n_nodes(); ++a)
+    for (int i = 0; i < dim; ++i)
+    {
+      mesh.v[i][a] = 0;
+      for (int j = 0; j < dim; ++j)
+        if (!axisymmetric || i == j) // u_r = a r, u_z = b z: uniform also in the hoop direction
+          mesh.v[i][a] += g[i][j] * mesh.x[j][a];
+    }
+  auto solver = solver_of<dim>(std::move(mesh));
+  ASSERT_TRUE(solver->step({0, 1e-9, 1e-5}).ok); // strains of about a per cent
+  const Sample s = solver->sample(0);
+  for (int c = 0; c < 6; ++c)
+    for (const double stress : s.sigma[c])
+      EXPECT_NEAR(stress, s.sigma[c][0], 1e-12 * 117e9 * 1e-2);
+  EXPECT_GT(std::abs(s.sigma[0][0]), 1e5);
+}
+TEST(Patch, Line) { expect_patch<1>(false); }
+TEST(Patch, PlaneStrain) { expect_patch<2>(false); }
+TEST(Patch, Axisymmetric) { expect_patch<2>(true); }
+TEST(Patch, Hex) { expect_patch<3>(false); }
+
+// Half the run, save, load into a fresh solver, the other half: the same bits.
+TEST(State, RestartAndRestoreAreBitwise)
+{
+  const auto metal  = make(copper_linear_hardening());
+  auto       first  = solver_of<3>(wild_block<3>(metal));
+  auto       second = solver_of<3>(wild_block<3>(metal));
+  Driver<3>  a{*first};
+  for (int k = 0; k < 30; ++k)
+    ASSERT_TRUE(a.once().ok);
+  io::MemoryArchive archive;
+  first->save(archive, "fem");
+  first->snapshot();
+  const double time = a.time, last = a.last;
+  for (int k = 0; k < 30; ++k)
+    ASSERT_TRUE(a.once().ok);
+  const Sample end = first->sample(0);
+
+  second->load(archive, "fem");
+  Driver<3> b{*second, time, last};
+  first->restore();
+  Driver<3> c{*first, time, last};
+  for (int k = 0; k < 30; ++k)
+  {
+    ASSERT_TRUE(b.once().ok);
+    ASSERT_TRUE(c.once().ok);
+  }
+  for (const auto *solver : {first.get(), second.get()})
+  {
+    const Sample s = solver->sample(0);
+    EXPECT_EQ(s.x, end.x);
+    EXPECT_EQ(s.v, end.v);
+    EXPECT_EQ(s.sigma, end.sigma);
+    EXPECT_EQ(s.energy, end.energy);
+  }
+}
+
+TEST(State, InvertedElementIsNamed)
+{
+  auto mesh    = wild_block<3>(make(copper()), false, 0);
+  mesh.v[0][0] = 2e5;
+  auto             solver = solver_of<3>(std::move(mesh));
+  const StepStatus status = solver->step({0, 1e-7, 1e-7});
+  ASSERT_FALSE(status.ok);
+  EXPECT_STREQ(status.culprit.entity, "element");
+  EXPECT_EQ(status.culprit.id, 0);
+  EXPECT_STREQ(status.culprit.why, "the element turned inside out");
+}
+
+TEST(State, NanIsNamed)
+{
+  auto mesh    = wild_block<2>(make(copper()), false, 0);
+  mesh.v[0][3] = std::nan("");
+  auto             solver = solver_of<2>(std::move(mesh));
+  const StepStatus status = solver->step({0, 1e-9, 1e-9});
+  ASSERT_FALSE(status.ok);
+  EXPECT_STREQ(status.culprit.why, "not a number");
+}
+
+/// Highest frequency by power iteration: small displacements u, accelerations
+/// from one step of the solver itself with kick only (stress after drift u).
+template <int dim>
+double highest_frequency(const std::function<std::unique_ptr<Solver<dim>>()> &fresh)
+{
+  // v -> force response: with v0 = u/dt one step of drift dt gives f(u); the next
+  // kick of dt changes v by f dt/m. Linear for small u.
+  auto                                   probe = fresh();
+  const std::size_t                      n     = probe->surface().n;
+  std::mt19937                           random(1);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const double                           scale = 1e-10; // m: strains of 1e-7
+  std::array<std::vector<double>, dim>   u;
+  for (auto &c : u)
+    for (std::size_t a = 0; a < n; ++a)
+      c.push_back(uniform(random));
+  probe->snapshot();
+  double w2 = 0;
+  for (int k = 0; k < 300; ++k)
+  {
+    double size = 0;
+    for (const auto &c : u)
+      for (const double x : c)
+        size += x * x;
+    size = std::sqrt(size);
+    probe->restore();
+    const double dt = 1e-9;
+    auto         s  = probe->surface();
+    // A coupling force in the first step sets v = u/dt exactly.
+    for (int i = 0; i < dim; ++i)
+      for (std::size_t a = 0; a < n; ++a)
+        s.force[i][a] = s.mass[a] * scale * u[i][a] / size / dt / dt;
+    probe->step({0, dt, dt});
+    std::array<std::vector<double>, dim> v;
+    s = probe->surface();
+    for (int i = 0; i < dim; ++i)
+      v[i].assign(s.v[i].begin(), s.v[i].end());
+    probe->step({dt, dt, dt});
+    s       = probe->surface();
+    double norm = 0;
+    for (int i = 0; i < dim; ++i)
+      for (std::size_t a = 0; a < n; ++a)
+      {
+        u[i][a] = -(s.v[i][a] - v[i][a]) / dt / scale;
+        norm += u[i][a] * u[i][a];
+      }
+    w2 = std::sqrt(norm);
+  }
+  return std::sqrt(w2);
+}
+
+template <int dim>
+void expect_step_bound(double distortion, bool axisymmetric, double sharpness)
+{
+  Parameters p;
+  p.options.bulk_linear = p.options.bulk_quadratic = 0;
+  p.options.step_factor                            = 1;
+  const auto metal = make(copper());
+  const auto fresh = [&] { return solver_of<dim>(wild_block<dim>(metal, axisymmetric, 0, distortion), p); };
+  const double critical = 2 / highest_frequency<dim>(fresh);
+  const double bound    = fresh()->stable_dt().dt;
+  EXPECT_LE(bound, critical * 1.001);
+  EXPECT_GE(bound, sharpness * critical);
+  // The operator's own limit: .95 holds, 1.05 blows up.
+  for (const double factor : {.95, 1.05})
+  {
+    auto s     = solver_of<dim>(wild_block<dim>(metal, axisymmetric, 1e-6, distortion), p);
+    Driver<dim> driver{*s};
+    driver.fixed_dt = factor * critical;
+    const double k0 = s->balance().kinetic;
+    bool         ok = true;
+    for (int k = 0; k < 1500 && ok; ++k)
+      ok = driver.once().ok && s->balance().kinetic < 1e6 * k0;
+    EXPECT_EQ(ok, factor < 1) << "factor " << factor;
+  }
+}
+TEST(StepBound, Line) { expect_step_bound<1>(.2, false, .75); }
+TEST(StepBound, PlaneStrain) { expect_step_bound<2>(.2, false, .6); }
+TEST(StepBound, Axisymmetric) { expect_step_bound<2>(.2, true, .5); }
+TEST(StepBound, Hex) { expect_step_bound<3>(.25, false, .5); }
+} // namespace
