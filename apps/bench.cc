@@ -24,14 +24,14 @@ void bench(const BenchArguments &a)
 
   const fem::BenchResult elements = fem::bench(a.fem_edge, a.steps, copper);
   std::printf("elements:  %.3g element-steps/s, %d^3 one-point hexahedra, hourglass stiffness, Johnson-Cook copper\n",
-              elements.element_steps_per_s, a.fem_edge);
+              elements.element_steps_per_second, a.fem_edge);
 
   if (!a.json.empty())
   {
     const nlohmann::ordered_json figures = {{"sph_particle_steps_per_core_s", particles.particle_steps_per_s},
                                             {"sph_neighbours", particles.neighbours},
                                             {"sph_rebuild_interval", particles.rebuild_interval},
-                                            {"fem_element_steps_per_core_s", elements.element_steps_per_s}};
+                                            {"fem_element_steps_per_core_s", elements.element_steps_per_second}};
     io::write_whole(a.json, figures.dump(2) + "\n");
   }
 }
