@@ -9,6 +9,7 @@
 #include "core/io/files.h"
 #include "coupling/run.h"
 
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 
@@ -39,8 +40,10 @@ void print_quantities(const io::Summary &summary)
 void print_checks(const io::Summary &summary)
 {
   const io::Summary::Checks &c = summary.checks;
-  std::printf("  drift: mass %.2e, momentum %.2e, angular momentum %.2e, energy %.2e; hourglass/internal %.2e\n",
-              c.mass_drift, c.momentum_drift, c.angular_momentum_drift, c.energy_drift, c.hourglass_fraction);
+  std::printf("  drift: mass %.2e, momentum %.2e, energy %.2e", c.mass_drift, c.momentum_drift, c.energy_drift);
+  if (std::isfinite(c.angular_momentum_drift)) // only free bodies have one
+    std::printf(", angular momentum %.2e", c.angular_momentum_drift);
+  std::printf("; hourglass/internal %.2e\n", c.hourglass_fraction);
   std::printf("  %lld steps to %.6g s, %lld particles, %lld elements, %.1f s wall, %.1f s in the solvers\n",
               static_cast<long long>(summary.steps), summary.end_time_s, static_cast<long long>(summary.particles),
               static_cast<long long>(summary.elements), summary.wall_s, summary.core_s);

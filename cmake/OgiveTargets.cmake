@@ -6,7 +6,8 @@ target_include_directories(ogive_flags INTERFACE ${PROJECT_SOURCE_DIR})
 target_link_libraries(ogive_flags INTERFACE Eigen3::Eigen)
 target_compile_options(ogive_flags INTERFACE -std=c++20 -Wall -Wextra -Wpedantic -fno-math-errno)
 # g++ 12 warns of overlapping copies in std::string where there are none (GCC bug 105651).
-target_compile_options(ogive_flags INTERFACE -Wno-restrict)
+# So does its own AVX-512 header of uninitialised operands (GCC bug 105593).
+target_compile_options(ogive_flags INTERFACE -Wno-restrict -Wno-maybe-uninitialized)
 target_compile_options(ogive_flags INTERFACE $<$<CONFIG:Release>:-O3;-g0>)
 if(OGIVE_NATIVE)
   target_compile_options(ogive_flags INTERFACE -march=native)

@@ -120,6 +120,7 @@ void PrescribedMotion<dim>::apply(Nodes<dim> &nodes, const std::array<AlignedVec
         const double impulse = nodes.mass[entry.node] * (entry.velocity[i] - v);
         v                    = entry.velocity[i];
         work.external += impulse * .5 * (v + v_old[i][entry.node]);
+        work.impulse[i] += impulse;
       }
 }
 
@@ -218,6 +219,7 @@ void RigidWalls<dim>::apply(const TimeStep &step, const PrescribedMotion<dim> &p
       work.external += (t.normal[i] + t.friction[i]) * wall;
       work.wall_loss -= t.normal[i] * slip;
       work.friction -= t.friction[i] * slip;
+      work.impulse[i] += t.normal[i] + t.friction[i];
     }
 }
 

@@ -12,11 +12,13 @@
 
 namespace ogive::fem
 {
-/// Work of the outside on the nodes since the start, J; they enter the books so
-/// that kinetic + internal - external + wall_loss + friction stays constant.
+/// What the outside did to the nodes since the start: work, J, entering the
+/// books so that kinetic + internal - external + wall_loss + friction stays
+/// constant; impulse, N s, so that momentum - impulse does.
 struct BoundaryWork
 {
-  double external = 0, wall_loss = 0, friction = 0;
+  double                external = 0, wall_loss = 0, friction = 0;
+  std::array<double, 3> impulse{};
 };
 
 /// Prescribed velocity components of nodes: fixed and driven faces, symmetry

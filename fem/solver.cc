@@ -117,7 +117,7 @@ StepStatus Solver<dim>::step(const TimeStep &step)
   s.prescribed.apply(s.nodes, s.v_old, s.work);
   s.walls.apply(step, s.prescribed, s.nodes, s.v_old, s.work);
   s.drift(step.drift);
-  s.book_pressure_work(step.kick);
+  s.book_pressure(step.kick);
   for (std::size_t g = 0; g < s.groups.size(); ++g)
   {
     const StepStatus status = s.groups[g]->advance(s.nodes, step);
@@ -171,12 +171,15 @@ void Solver<dim>::Implementation::drift(double dt)
 }
 
 template <int dim>
-void Solver<dim>::Implementation::book_pressure_work(double kick)
+void Solver<dim>::Implementation::book_pressure(double kick)
 {
   if (!pressures.empty())
     for (int i = 0; i < dim; ++i)
       for (std::size_t a = 0; a < nodes.size(); ++a)
+      {
         work.external += kick * load[i][a] * nodes.v_mean[i][a];
+        work.impulse[i] += kick * load[i][a];
+      }
 }
 
 template <int dim>

@@ -38,7 +38,7 @@ struct Solver<dim>::Implementation
   void       build(std::vector<BodyMesh<dim>>);
   void       build_surface(const std::vector<BodyMesh<dim>> &);
   void       kick(const TimeStep &);
-  void       book_pressure_work(double kick);
+  void       book_pressure(double kick);
   void       drift(double dt);
   StepStatus check_nodes() const;
 
@@ -54,9 +54,10 @@ struct Solver<dim>::Implementation
     }
     f("mass", nodes.mass);
     f("wall_force", walls.forces());
-    AlignedVector<double> booked{work.external, work.wall_loss, work.friction};
+    AlignedVector<double> booked{work.external,   work.wall_loss,  work.friction,
+                                 work.impulse[0], work.impulse[1], work.impulse[2]};
     f("work", booked);
-    work = {booked.at(0), booked.at(1), booked.at(2)};
+    work = {booked.at(0), booked.at(1), booked.at(2), {booked.at(3), booked.at(4), booked.at(5)}};
     for (std::size_t g = 0; g < groups.size(); ++g)
       groups[g]->for_each_state([&](const std::string &name, AlignedVector<double> &a) {
         f("group" + std::to_string(g) + "/" + name, a);

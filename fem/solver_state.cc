@@ -58,6 +58,9 @@ Balance Solver<dim>::balance() const
   b.external_work = s.work.external;
   b.wall_loss     = s.work.wall_loss;
   b.friction_heat = s.work.friction;
+  for (int i = 0; i < dim; ++i)
+    if (!(s.parameters.axisymmetric && i == 0))
+      b.external_impulse[i] = s.work.impulse[i];
   return b;
 }
 

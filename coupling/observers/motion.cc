@@ -6,15 +6,30 @@
 
 namespace ogive::coupling
 {
-double MeanVelocity::measure(const Sample &s, double)
+MeanVelocity::MeanVelocity(const input::Observer &o, const input::Scene &scene)
+  : direction_(o.direction.normalized())
 {
-  double mass = 0, momentum = 0;
-  for (std::size_t i = 0; i < s.mass.size(); ++i)
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+    if (o.body.empty() || o.body == scene.bodies[b].name)
+      bodies_.push_back(static_cast<int>(b));
+  if (bodies_.empty())
+    throw InputError("observer \"" + o.name + "\" names the body \"" + o.body + "\", which is not in the scene");
+}
+
+void MeanVelocity::row(const RowFrame &frame)
+{
+  double mass     = 0;
+  Vec3   momentum = Vec3::Zero();
+  for (const int b : bodies_)
   {
-    mass += s.mass[i];
-    momentum += s.mass[i] * along(s.v, i);
+    const Sample &s = frame.sample(b);
+    for (std::size_t i = 0; i < s.mass.size(); ++i)
+    {
+      mass += s.mass[i];
+      momentum += s.mass[i] * Vec3(s.v[0][i], s.v[1][i], s.v[2][i]);
+    }
   }
-  return momentum / mass;
+  value_ = momentum.dot(direction_) / mass;
 }
 
 double Displacement::measure(const Sample &s, double)

@@ -7,13 +7,23 @@
 
 namespace ogive::coupling
 {
-class MeanVelocity : public BodyObserver
+/// Momentum over mass along the direction: of one body, or of all bodies if
+/// none is named.
+class MeanVelocity : public Observer
 {
 public:
-  using BodyObserver::BodyObserver;
+  MeanVelocity(const input::Observer &, const input::Scene &);
+  void   row(const RowFrame &) override;
+  double value() const override { return value_; }
 
 protected:
-  double measure(const Sample &, double time) override;
+  std::vector<double> memory() const override { return {value_}; }
+  void                recall(const std::vector<double> &numbers) override { value_ = numbers.at(0); }
+
+private:
+  std::vector<int> bodies_;
+  Vec3             direction_;
+  double           value_ = std::numeric_limits<double>::quiet_NaN();
 };
 
 class Displacement : public BodyObserver
