@@ -11,15 +11,23 @@
 namespace ogive::sph
 {
 /// Mirror images of the particles near the symmetry planes x_axis = 0, in the
-/// corners also of the images. Image g follows the owned particles: its record
-/// is number n_owned + g.
+/// corners also of the images, then those behind rigid walls. Image g follows
+/// the owned particles: its record is number n_owned + g.
 struct Ghosts
 {
   std::vector<std::uint32_t>                parent;
   std::vector<std::array<double, 3>>        sign;  ///< -1 where a component is reflected
-  std::vector<std::array<std::size_t, 2>>   range; ///< of each body
+  std::vector<int>                          images; ///< set of walls behind which it lies (images.h), or -1
+  std::vector<std::array<std::size_t, 2>>   range; ///< of each body, symmetry planes alone
 
   std::size_t size() const { return parent.size(); }
+
+  void push_back(std::uint32_t of, const std::array<double, 3> &s, int behind)
+  {
+    parent.push_back(of);
+    sign.push_back(s);
+    images.push_back(behind);
+  }
 
   /// Images of one body, [first, last) of the owned particles, that may be
   /// closer than `reach` to it; appends a range.
@@ -40,10 +48,7 @@ struct Ghosts
             s[planes[k].axis] = -1;
           }
         if (near)
-        {
-          parent.push_back(static_cast<std::uint32_t>(i));
-          sign.push_back(s);
-        }
+          push_back(static_cast<std::uint32_t>(i), s, -1);
       }
     range.push_back({begin, size()});
   }
@@ -52,6 +57,7 @@ struct Ghosts
   {
     parent.clear();
     sign.clear();
+    images.clear();
     range.clear();
   }
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sph/ghosts.h"
+#include "sph/images.h"
 #include "sph/neighbours.h"
 #include "sph/solver.h"
 #include "sph/step_bound.h"
@@ -10,14 +11,17 @@
 
 namespace ogive::sph
 {
-/// Amounts that prescribed motion and walls did so far, J.
+/// Amounts that prescribed motion and walls did so far, J, and the impulse that
+/// they and the symmetry planes gave, N s.
 struct Works
 {
   double external = 0, wall_loss = 0, friction = 0;
+  Vec3   impulse  = Vec3::Zero();
 };
 
 /// Inside the solver. solver.cc: the public face; phases.cc: the phases of a
 /// step; motion.cc: kick, boundaries, drift; lists.cc: rebuild and records;
+/// images.cc: images behind rigid walls;
 /// state.cc: snapshots and checkpoints.
 template <int dim>
 struct Solver<dim>::Implementation
@@ -45,10 +49,13 @@ struct Solver<dim>::Implementation
 
   // Follow from the store.
   Ghosts                     ghosts;
-  NeighbourRows              rows;
+  Pairs                      pairs;
+  std::vector<Images>        images;
+  std::vector<int>           wall_axis; ///< of walls across an axis, or -1
+  std::vector<std::int64_t>  active;    ///< bit w: images behind wall w act
+  std::vector<double>        press;     ///< velocity that wall w's images gave particle i in the kick
   AlignedVector<double>      force_records, correction_records, energy_records;
   AlignedVector<double>      gradient_sums, force_sums, power_sums;
-  AlignedVector<double>      pair_viscosity, pair_hourglass, pair_damage;
   AlignedVector<double>      wave_number; ///< step_bound.h, 1/m, of the last gradient sweep
   std::vector<std::uint32_t> index_of_id;
   std::vector<std::int64_t>  near_surface; ///< kept through a rebuild's first sweep: part of the state
@@ -61,6 +68,7 @@ struct Solver<dim>::Implementation
   std::vector<char>                   is_slave; ///< by id
   PerAxis<std::vector<double>>        slave_velocity; ///< by id
 
+  double              time = 0, time_listed = 0; ///< of x and of x_listed, s
   Works               works;
   std::vector<double> wall_forces;
   std::uint64_t       updates  = 0;
@@ -77,15 +85,36 @@ struct Solver<dim>::Implementation
   bool lists_are_stale() const;
   void sort_particles();
   void rebuild_lists(); ///< from store.x_listed
+  void size_pairs(Pairs &) const;
+  void list_images(const std::array<std::span<const double>, dim> &x);
   void pack_motion();
   void reflect_motion();
   void reflect_forces();
-  Sweep sweep_of(const Body &, double *sums);
+  Sweep sweep_of(const Body &, Pairs &, double *sums);
+
+  // images.cc
+  void   find_wall_axes();
+  double gap(std::size_t w, double x, double at) const; ///< from wall w to coordinate x at a time, m
+  /// Whether a particle is closer to wall w than a spacing.
+  bool   is_near(const Body &, std::size_t w, const PerAxis<AlignedVector<double>> &x, double at) const;
+  void   touch_walls(); ///< from x, v, time and the stress of the step before
+  void   find_active();
+  void   append_images(Images &);
+  double shift(std::size_t g, int axis, double at) const; ///< x_image = sign x + shift
+  double shift_rate(std::size_t g, int axis) const;
+  double share(std::size_t g) const; ///< 1 where the image acts, 0 where not
+  bool   acts(const Images &m, std::size_t i) const { return (active[i] & m.bits) == m.bits; }
+  void   sweep_images(void (*SweepFunctions::*sweep)(const Sweep &), AlignedVector<double> Images::*sums);
+  /// Adds the fields [first, last) of the images' sums.
+  void   add_images(const AlignedVector<double> Images::*from, std::size_t stride, std::size_t first,
+                    std::size_t last, AlignedVector<double> &to);
+  void   book_images(double kick);
 
   // phases.cc
   /// Gradients at x(t_n); with dt > 0 also the material's step.
   StepStatus advance_material(double dt);
   void       forces();
+  void       correct();
   void       energy(double kick);
   void       find_surface();
 
@@ -93,6 +122,7 @@ struct Solver<dim>::Implementation
   void       kick(const TimeStep &);
   void       land_on_walls(std::size_t i, const TimeStep &, double spacing);
   void       stay_on_side(std::size_t i, const TimeStep &);
+  void       book_planes(double kick);
   StepStatus drift(double dt);
   void       mark_boundaries(const std::vector<BodyParticles<dim>> &);
 

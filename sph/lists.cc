@@ -12,9 +12,27 @@ bool Solver<dim>::Implementation::lists_are_stale() const
   {
     // A body's translation parts no pair, except from its mirror image.
     std::array<double, dim> drifted{};
+    PerAxis<double>         apart{}; // from walls of different speed
+    for (std::size_t w = 0; w < wall_axis.size(); ++w)
+    {
+      if (wall_axis[w] < 0)
+        continue;
+      const bool near = is_near(b, w, store.x, time);
+      if (near != is_near(b, w, store.x_listed, time_listed))
+        return true;
+      const double path = (time - time_listed) * parameters.walls[w].velocity[wall_axis[w]];
+      if (near)
+        apart[wall_axis[w]] = std::max(apart[wall_axis[w]], std::abs(path));
+    }
+    const auto mirrored = [&](int a) {
+      for (std::size_t w = 0; w < wall_axis.size(); ++w)
+        if (wall_axis[w] == a && is_near(b, w, store.x_listed, time_listed))
+          return true;
+      return std::any_of(parameters.symmetry.begin(), parameters.symmetry.end(),
+                         [a](const auto &p) { return p.axis == a; });
+    };
     for (int a = 0; a < dim; ++a)
-      if (std::none_of(parameters.symmetry.begin(), parameters.symmetry.end(),
-                       [a](const auto &p) { return p.axis == a; }))
+      if (!mirrored(a))
         for (std::size_t i = b.first; i < b.last; ++i)
           drifted[a] += (store.x[a][i] - store.x_listed[a][i]) / (b.last - b.first);
     const double limit = .25 * b.skin * b.skin;
@@ -24,7 +42,7 @@ bool Solver<dim>::Implementation::lists_are_stale() const
       double d2 = 0;
       for (int a = 0; a < dim; ++a)
       {
-        const double d = store.x[a][i] - store.x_listed[a][i] - drifted[a];
+        const double d = std::abs(store.x[a][i] - store.x_listed[a][i] - drifted[a]) + apart[a];
         d2 += d * d;
       }
       most = d2 > most ? d2 : most;
@@ -60,6 +78,7 @@ void Solver<dim>::Implementation::sort_particles()
   }
   for (int a = 0; a < dim; ++a)
     store.x_listed[a] = store.x[a];
+  time_listed = time;
 }
 
 template <int dim>
@@ -72,6 +91,8 @@ void Solver<dim>::Implementation::rebuild_lists()
     listed[a] = store.x_listed[a];
   for (const auto &b : bodies)
     ghosts.append<dim>(listed, b.first, b.last, b.list_radius, parameters.symmetry);
+  for (auto &m : images)
+    append_images(m);
   const std::size_t all = n + ghosts.size();
 
   PerAxis<std::vector<double>>             x;
@@ -80,36 +101,66 @@ void Solver<dim>::Implementation::rebuild_lists()
   {
     x[a].assign(listed[a].begin(), listed[a].end());
     for (std::size_t g = 0; g < ghosts.size(); ++g)
-      x[a].push_back(ghosts.sign[g][a] * listed[a][ghosts.parent[g]]);
+      x[a].push_back(ghosts.sign[g][a] * listed[a][ghosts.parent[g]] + shift(g, a, time_listed));
     view[a] = x[a];
   }
-  rows.clear();
+  pairs.rows.clear();
   for (std::size_t k = 0; k < bodies.size(); ++k)
     append_rows<dim>(view, bodies[k].first, bodies[k].last, n + ghosts.range[k][0], n + ghosts.range[k][1],
-                     bodies[k].list_radius, static_cast<std::uint32_t>(all), rows);
+                     bodies[k].list_radius, static_cast<std::uint32_t>(all), pairs.rows);
+  list_images(view);
 
   // One record more: the zeros that fill up the rows.
   force_records.assign((all + 1) * L::force_stride, 0.);
   correction_records.assign((all + 1) * L::correction_stride, 0.);
   energy_records.assign((all + 1) * L::energy_stride, 0.);
-  pair_hourglass.resize(rows.index.size());
-  if (!correction)
-    pair_viscosity.resize(rows.index.size());
-  for (const auto &b : bodies)
-    if (b.material->parameters().damage.law != "none")
-      pair_damage.resize(rows.index.size());
+  size_pairs(pairs);
   index_of_id.resize(n);
   for (std::size_t i = 0; i < n; ++i)
     index_of_id[store.id[i]] = static_cast<std::uint32_t>(i);
   for (const auto &b : bodies)
     std::fill(radius.begin() + b.first, radius.begin() + b.last, .5 * b.spacing);
-  diagnostics.pairs = rows.pairs;
+  diagnostics.pairs = pairs.rows.pairs;
+  for (const auto &m : images)
+    diagnostics.pairs += m.pairs.rows.pairs;
   ++diagnostics.rebuilds;
+}
+
+template <int dim>
+void Solver<dim>::Implementation::size_pairs(Pairs &p) const
+{
+  p.hourglass.resize(p.rows.index.size());
+  if (!correction)
+    p.viscosity.resize(p.rows.index.size());
+  for (const auto &b : bodies)
+    if (b.material->parameters().damage.law != "none")
+      p.damage.resize(p.rows.index.size());
+}
+
+template <int dim>
+void Solver<dim>::Implementation::list_images(const std::array<std::span<const double>, dim> &x)
+{
+  const std::size_t n = store.size();
+  for (auto &m : images)
+  {
+    m.pairs.rows.clear();
+    bool any = false;
+    for (std::size_t k = 0; k < bodies.size(); ++k)
+    {
+      any = any || m.range[k][0] < m.range[k][1];
+      append_rows<dim>(x, bodies[k].first, bodies[k].last, n + m.range[k][0], n + m.range[k][1],
+                       bodies[k].list_radius, static_cast<std::uint32_t>(n + ghosts.size()), m.pairs.rows, true);
+    }
+    size_pairs(m.pairs);
+    m.sums.assign(any ? n * std::max(L::gradient_stride, L::powers_stride) : 0, 0.);
+    m.forces.assign(any ? n * L::forces_stride : 0, 0.);
+  }
 }
 
 template <int dim>
 void Solver<dim>::Implementation::pack_motion()
 {
+  find_active();
   for (std::size_t i = 0; i < store.size(); ++i)
   {
     double *r = &force_records[i * L::force_stride];
@@ -133,10 +184,10 @@ void Solver<dim>::Implementation::reflect_motion()
     double       *to   = &force_records[(store.size() + g) * L::force_stride];
     for (int a = 0; a < dim; ++a)
     {
-      to[L::x + a] = ghosts.sign[g][a] * from[L::x + a];
-      to[L::v + a] = ghosts.sign[g][a] * from[L::v + a];
+      to[L::x + a] = ghosts.sign[g][a] * from[L::x + a] + shift(g, a, time);
+      to[L::v + a] = ghosts.sign[g][a] * from[L::v + a] + shift_rate(g, a);
     }
-    to[L::weight]  = from[L::weight];
+    to[L::weight]  = share(g) * from[L::weight];
     to[L::density] = from[L::density];
   }
 }
@@ -161,21 +212,21 @@ void Solver<dim>::Implementation::reflect_forces()
 }
 
 template <int dim>
-Sweep Solver<dim>::Implementation::sweep_of(const Body &b, double *sums)
+Sweep Solver<dim>::Implementation::sweep_of(const Body &b, Pairs &p, double *sums)
 {
   const auto &o = parameters.options;
   Sweep       s;
   s.begin              = b.first;
   s.end                = b.last;
-  s.row                = rows.row.data();
-  s.index              = rows.index.data();
+  s.row                = p.rows.row.data();
+  s.index              = p.rows.index.data();
   s.force_records      = force_records.data();
   s.correction_records = correction_records.data();
   s.energy_records     = energy_records.data();
   s.sums               = sums;
-  s.pair_viscosity     = pair_viscosity.data();
-  s.pair_hourglass     = pair_hourglass.data();
-  s.pair_damage        = pair_damage.data();
+  s.pair_viscosity     = p.viscosity.data();
+  s.pair_hourglass     = p.hourglass.data();
+  s.pair_damage        = p.damage.data();
   s.h                  = b.h;
   s.alpha              = o.alpha;
   s.beta               = o.beta;
@@ -188,10 +239,12 @@ Sweep Solver<dim>::Implementation::sweep_of(const Body &b, double *sums)
   template bool  Solver<d>::Implementation::lists_are_stale() const;                                         \
   template void  Solver<d>::Implementation::sort_particles();                                                \
   template void  Solver<d>::Implementation::rebuild_lists();                                                 \
+  template void  Solver<d>::Implementation::size_pairs(Pairs &) const;                                       \
+  template void  Solver<d>::Implementation::list_images(const std::array<std::span<const double>, d> &);     \
   template void  Solver<d>::Implementation::pack_motion();                                                   \
   template void  Solver<d>::Implementation::reflect_motion();                                                \
   template void  Solver<d>::Implementation::reflect_forces();                                                \
-  template Sweep Solver<d>::Implementation::sweep_of(const Body &, double *);
+  template Sweep Solver<d>::Implementation::sweep_of(const Body &, Pairs &, double *);
 OGIVE_INSTANTIATE(1)
 OGIVE_INSTANTIATE(2)
 OGIVE_INSTANTIATE(3)

@@ -3,6 +3,7 @@
 #include "sph/faces.h"
 #include "sph/implementation.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -70,12 +71,15 @@ void Solver<dim>::Implementation::stay_on_side(std::size_t i, const TimeStep &t)
     const double landed = -store.x[a][i] / t.drift;
     const double mean   = .5 * (energy_records[i * L::energy_stride + L::v + a] + landed);
     works.wall_loss -= store.mass[i] * (landed - store.v[a][i]) * mean;
+    works.impulse[a] += store.mass[i] * (landed - store.v[a][i]);
     store.v[a][i] = landed;
   }
 }
 
 /// Gives a particle that would pass a wall the normal velocity that lands it
-/// half a spacing in front of it, and Coulomb friction on the slip.
+/// half a spacing in front of it: all that an oblique wall does, and next to
+/// the images of the others (images.h) what these do not stop. Coulomb friction
+/// on the slip, of the landing and of what the images press.
 template <int dim>
 void Solver<dim>::Implementation::land_on_walls(std::size_t i, const TimeStep &t, double spacing)
 {
@@ -91,12 +95,13 @@ void Solver<dim>::Implementation::land_on_walls(std::size_t i, const TimeStep &t
     }
     const Vec3   end    = wall.point + wall.velocity * (t.time + t.drift);
     const double excess = (x + t.drift * v - end).dot(wall.normal) - .5 * spacing;
-    if (!(excess < 0))
+    const double push   = excess < 0 ? -excess / t.drift : 0;
+    const double pressed = push + std::max(press[i * parameters.walls.size() + w], 0.);
+    if (!(pressed > 0))
       continue;
-    const double push = -excess / t.drift;
     const Vec3   trial_slip = v - wall.velocity - (v - wall.velocity).dot(wall.normal) * wall.normal;
     const double slip       = trial_slip.norm();
-    const double brake      = std::min(wall.friction * push, slip);
+    const double brake      = std::min(wall.friction * pressed, slip);
     const Vec3   drag       = slip > 0 ? Vec3(-brake / slip * trial_slip) : Vec3(Vec3::Zero());
     const Vec3   landed     = v + push * wall.normal + drag;
     const double m          = store.mass[i];
@@ -104,9 +109,29 @@ void Solver<dim>::Implementation::land_on_walls(std::size_t i, const TimeStep &t
     works.external += m * (push * wall.normal + drag).dot(wall.velocity);
     works.wall_loss -= m * push * wall.normal.dot(mean);
     works.friction -= m * drag.dot(mean);
+    works.impulse += m * (push * wall.normal + drag);
     wall_forces[w] += m * push / t.kick;
     for (int a = 0; a < dim; ++a)
       store.v[a][i] = landed[a];
+  }
+}
+
+/// Impulse of the mirror images, across their planes: pair forces between
+/// particles, slaves among them, cancel in the sum, and along a plane the
+/// images' do too.
+template <int dim>
+void Solver<dim>::Implementation::book_planes(double kick)
+{
+  for (int a = 0; a < dim; ++a)
+  {
+    const bool plane =
+      std::any_of(parameters.symmetry.begin(), parameters.symmetry.end(), [a](const auto &p) { return p.axis == a; });
+    if (!plane && std::find(wall_axis.begin(), wall_axis.end(), a) == wall_axis.end())
+      continue;
+    double sum = 0;
+    for (std::size_t i = 0; i < store.size(); ++i)
+      sum += force_sums[i * L::forces_stride + L::f_sum + a];
+    works.impulse[a] += kick * sum;
   }
 }
 
@@ -114,6 +139,9 @@ template <int dim>
 void Solver<dim>::Implementation::kick(const TimeStep &t)
 {
   std::fill(wall_forces.begin(), wall_forces.end(), 0.);
+  std::fill(press.begin(), press.end(), 0.);
+  book_images(t.kick);
+  book_planes(t.kick);
   for (const auto &b : bodies)
     for (std::size_t i = b.first; i < b.last; ++i)
     {
@@ -129,8 +157,10 @@ void Solver<dim>::Implementation::kick(const TimeStep &t)
           store.v[a][i] = slave_velocity[a][id];
         else if (is_fixed(store.fixed[i], a))
         {
-          const double mean = .5 * (store.v[a][i] + store.prescribed[a][i]);
-          works.external += (m * (store.prescribed[a][i] - store.v[a][i]) - t.kick * f) * mean;
+          const double mean    = .5 * (store.v[a][i] + store.prescribed[a][i]);
+          const double impulse = m * (store.prescribed[a][i] - store.v[a][i]) - t.kick * f;
+          works.external += impulse * mean;
+          works.impulse[a] += impulse;
           store.v[a][i] = store.prescribed[a][i];
         }
         else
@@ -171,6 +201,7 @@ StepStatus Solver<dim>::Implementation::drift(double dt)
 #define OGIVE_INSTANTIATE(d)                                                                                 \
   template void       Solver<d>::Implementation::mark_boundaries(const std::vector<BodyParticles<d>> &);     \
   template void       Solver<d>::Implementation::land_on_walls(std::size_t, const TimeStep &, double);       \
+  template void       Solver<d>::Implementation::book_planes(double);                                        \
   template void       Solver<d>::Implementation::kick(const TimeStep &);                                     \
   template void       Solver<d>::Implementation::stay_on_side(std::size_t, const TimeStep &);                \
   template StepStatus Solver<d>::Implementation::drift(double);

@@ -114,15 +114,18 @@ void scan_run(const Cells<dim> &c, const std::array<double, dim> &at, std::uint3
 template <int dim>
 void append_rows(const std::array<std::span<const double>, dim> &x, std::size_t first, std::size_t last,
                  std::size_t first_ghost, std::size_t last_ghost, double radius, std::uint32_t dummy,
-                 NeighbourRows &rows)
+                 NeighbourRows &rows, bool only_ghosts)
 {
   std::vector<std::uint32_t> points;
-  for (std::size_t i = first; i < last; ++i)
+  for (std::size_t i = first; i < last && !only_ghosts; ++i)
     points.push_back(static_cast<std::uint32_t>(i));
   for (std::size_t i = first_ghost; i < last_ghost; ++i)
     points.push_back(static_cast<std::uint32_t>(i));
-  if (first == last)
+  if (points.empty())
+  {
+    rows.row.insert(rows.row.end(), last - first, rows.row.back());
     return;
+  }
   const Cells<dim> c = sort_into_cells<dim>(x, points, radius);
   for (std::size_t i = first; i < last; ++i)
   {
@@ -191,7 +194,7 @@ std::vector<std::uint32_t> morton_order(const std::array<std::span<const double>
 
 #define OGIVE_INSTANTIATE(d)                                                                                 \
   template void append_rows<d>(const std::array<std::span<const double>, d> &, std::size_t, std::size_t,     \
-                               std::size_t, std::size_t, double, std::uint32_t, NeighbourRows &);            \
+                               std::size_t, std::size_t, double, std::uint32_t, NeighbourRows &, bool);      \
   template std::vector<std::uint32_t> morton_order<d>(const std::array<std::span<const double>, d> &,        \
                                                       std::size_t, std::size_t, double,                      \
                                                       std::span<const std::int64_t>);

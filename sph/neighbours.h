@@ -29,12 +29,12 @@ struct NeighbourRows
 
 /// Appends one row for each particle of [first, last): all others of
 /// [first, last) and all of [first_ghost, last_ghost) closer than `radius`
-/// (strictly). Sorted by cells, so the order of a row depends on the positions
+/// (strictly); with `only_ghosts` the ghosts alone. Sorted by cells, so the order of a row depends on the positions
 /// only. Positions must be finite.
 template <int dim>
 void append_rows(const std::array<std::span<const double>, dim> &x, std::size_t first, std::size_t last,
                  std::size_t first_ghost, std::size_t last_ghost, double radius, std::uint32_t dummy,
-                 NeighbourRows &rows);
+                 NeighbourRows &rows, bool only_ghosts = false);
 
 /// Order of [first, last) along a Morton curve over cells of edge `cell`, ties
 /// by `id`.

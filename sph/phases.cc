@@ -93,7 +93,9 @@ StepStatus Solver<dim>::Implementation::advance_material(double dt)
 {
   pack_motion();
   for (const auto &b : bodies)
-    b.sweeps.gradient(sweep_of(b, gradient_sums.data()));
+    b.sweeps.gradient(sweep_of(b, pairs, gradient_sums.data()));
+  sweep_images(&SweepFunctions::gradient, &Images::sums);
+  add_images(&Images::sums, L::gradient_stride, 0, L::n_gradient, gradient_sums);
   auto       &points = store.points;
   Block       block;
   std::size_t fallbacks = 0, broken = 0;
@@ -164,9 +166,18 @@ template <int dim>
 void Solver<dim>::Implementation::forces()
 {
   for (const auto &b : bodies)
-    b.sweeps.force(sweep_of(b, force_sums.data()));
-  if (!correction)
-    return;
+    b.sweeps.force(sweep_of(b, pairs, force_sums.data()));
+  sweep_images(&SweepFunctions::force, &Images::forces);
+  add_images(&Images::forces, L::forces_stride, L::viscous_sum, L::n_forces, force_sums);
+  if (correction)
+    correct();
+  add_images(&Images::forces, L::forces_stride, L::f_sum, L::f_sum + dim, force_sums);
+}
+
+/// Replaces the viscous forces by the pairwise correction of them.
+template <int dim>
+void Solver<dim>::Implementation::correct()
+{
   const std::size_t n = store.size();
   for (const auto &b : bodies)
   {
@@ -190,14 +201,15 @@ void Solver<dim>::Implementation::forces()
     double       *to   = &correction_records[(n + g) * L::correction_stride];
     for (int a = 0; a < dim; ++a)
     {
-      to[L::x + a]  = ghosts.sign[g][a] * from[L::x + a];
+      to[L::x + a]  = ghosts.sign[g][a] * from[L::x + a] + shift(g, a, time);
       to[L::da + a] = ghosts.sign[g][a] * from[L::da + a];
     }
-    to[L::volume] = from[L::volume];
+    to[L::volume] = share(g) * from[L::volume];
     to[L::kappa]  = from[L::kappa];
   }
   for (const auto &b : bodies)
-    b.sweeps.correction(sweep_of(b, force_sums.data()));
+    b.sweeps.correction(sweep_of(b, pairs, force_sums.data()));
+  sweep_images(&SweepFunctions::correction, &Images::forces);
 }
 
 template <int dim>
@@ -210,13 +222,15 @@ void Solver<dim>::Implementation::energy(double kick)
     double       *to   = &energy_records[(n + g) * L::energy_stride];
     for (int a = 0; a < dim; ++a)
     {
-      to[L::x + a] = ghosts.sign[g][a] * from[L::x + a];
-      to[L::v + a] = ghosts.sign[g][a] * from[L::v + a];
+      to[L::x + a] = ghosts.sign[g][a] * from[L::x + a] + shift(g, a, time);
+      to[L::v + a] = ghosts.sign[g][a] * from[L::v + a] + shift_rate(g, a);
     }
-    to[L::weight] = from[L::weight];
+    to[L::weight] = share(g) * from[L::weight];
   }
   for (const auto &b : bodies)
-    b.sweeps.energy(sweep_of(b, power_sums.data()));
+    b.sweeps.energy(sweep_of(b, pairs, power_sums.data()));
+  sweep_images(&SweepFunctions::energy, &Images::sums);
+  add_images(&Images::sums, L::powers_stride, 0, 3, power_sums);
   for (std::size_t i = 0; i < n; ++i)
   {
     const double *sums      = &power_sums[i * L::powers_stride];
@@ -266,6 +280,7 @@ Culprit Solver<dim>::Implementation::culprit(std::size_t i, const char *why) con
 #define OGIVE_INSTANTIATE(d)                                                                                 \
   template StepStatus Solver<d>::Implementation::advance_material(double);                                   \
   template void       Solver<d>::Implementation::forces();                                                   \
+  template void       Solver<d>::Implementation::correct();                                                  \
   template void       Solver<d>::Implementation::energy(double);                                             \
   template void       Solver<d>::Implementation::find_surface();                                             \
   template Culprit    Solver<d>::Implementation::culprit(std::size_t, const char *) const;

@@ -72,6 +72,8 @@ Solver<dim>::Implementation::Implementation(const Parameters &p, std::vector<Bod
   force_sums.resize(n * L::forces_stride);
   power_sums.resize(n * L::powers_stride);
   wall_forces.resize(p.walls.size());
+  active.resize(n);
+  press.resize(n * p.walls.size());
   for (std::size_t k = 0; k < bodies.size(); ++k)
   {
     const auto &b = bodies[k];
@@ -90,7 +92,9 @@ Solver<dim>::Implementation::Implementation(const Parameters &p, std::vector<Bod
   }
   store.swept_density = store.points.density;
   mark_boundaries(filled);
+  find_wall_axes();
   sort_particles();
+  touch_walls();
   rebuild_lists();
   const StepStatus status = advance_material(0);
   require(status.ok, "the first state is not sound");
@@ -116,6 +120,7 @@ StepStatus Solver<dim>::step(const TimeStep &t)
   s.kick(t);
   s.energy(t.kick);
   StepStatus status = s.drift(t.drift);
+  s.time            = t.time + t.drift;
   if (!status.ok)
     return status;
   if (s.lists_are_stale())
@@ -124,6 +129,7 @@ StepStatus Solver<dim>::step(const TimeStep &t)
     s.rebuild_lists();
     s.surface_stale = true;
   }
+  s.touch_walls();
   s.store.swept_density = s.store.points.density;
   status                = s.advance_material(t.drift);
   if (!status.ok)
@@ -209,6 +215,7 @@ Balance Solver<dim>::balance() const
     b.kinetic += .5 * m * v.squaredNorm();
   }
   b.elastic       = internal - b.plastic_work - b.viscosity_heat - b.hourglass_sph;
+  b.external_impulse = s.works.impulse;
   b.external_work = s.works.external;
   b.wall_loss     = s.works.wall_loss;
   b.friction_heat = s.works.friction;

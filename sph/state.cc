@@ -26,7 +26,7 @@ void Solver<dim>::Implementation::keep()
 {
   if (!kept)
     kept = std::make_unique<State>();
-  *kept = {store, near_surface, works, wall_forces, updates, topology, diagnostics.rebuilds};
+  *kept = {store, near_surface, works, time, time_listed, wall_forces, updates, topology, diagnostics.rebuilds};
 }
 
 template <int dim>
@@ -37,6 +37,8 @@ void Solver<dim>::Implementation::go_back()
   store            = kept->store;
   near_surface     = kept->near_surface;
   works            = kept->works;
+  time             = kept->time;
+  time_listed      = kept->time_listed;
   wall_forces      = kept->wall_forces;
   updates          = kept->updates;
   if (topology != kept->topology)
@@ -54,8 +56,10 @@ void Solver<dim>::Implementation::write(ArchiveWriter &out, const std::string &p
   out.write(prefix + "/id", std::span<const std::int64_t>(store.id));
   out.write(prefix + "/fixed", std::span<const std::int64_t>(store.fixed));
   out.write(prefix + "/near_surface", std::span<const std::int64_t>(near_surface));
-  const double work[3] = {works.external, works.wall_loss, works.friction};
-  out.write(prefix + "/works", std::span<const double>(work, 3));
+  out.write(prefix + "/touch", std::span<const std::int64_t>(store.touch));
+  const double work[8] = {works.external,   works.wall_loss,  works.friction, works.impulse[0],
+                          works.impulse[1], works.impulse[2], time,           time_listed};
+  out.write(prefix + "/works", std::span<const double>(work, 8));
   out.write(prefix + "/wall_forces", std::span<const double>(wall_forces));
   out.write(prefix + "/updates", static_cast<std::int64_t>(updates));
 }
@@ -80,10 +84,13 @@ void Solver<dim>::Implementation::read(const ArchiveReader &in, const std::strin
   });
   integers("id", store.id);
   integers("fixed", store.fixed);
+  integers("touch", store.touch);
   integers("near_surface", near_surface);
   const auto work = in.doubles(prefix + "/works");
-  fit("works", work.size(), 3);
-  works           = {work[0], work[1], work[2]};
+  fit("works", work.size(), 8);
+  works           = {work[0], work[1], work[2], Vec3(work[3], work[4], work[5])};
+  time            = work[6];
+  time_listed     = work[7];
   wall_forces     = in.doubles(prefix + "/wall_forces");
   fit("wall_forces", wall_forces.size(), parameters.walls.size());
   updates = static_cast<std::uint64_t>(in.integer(prefix + "/updates"));

@@ -12,6 +12,7 @@ struct Solver<dim>::Implementation::State
   Store<dim>                store;
   std::vector<std::int64_t> near_surface;
   Works                     works;
+  double                    time = 0, time_listed = 0;
   std::vector<double>       wall_forces;
   std::uint64_t             updates  = 0;
   std::uint64_t             topology = 0;

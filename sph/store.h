@@ -29,6 +29,7 @@ struct Store
   materials::Points                      points;
   std::vector<std::int64_t>              id;
   std::vector<std::int64_t>              fixed; ///< bit a: component a is prescribed
+  std::vector<std::int64_t>              touch; ///< bit w: touches wall w (images.h)
   std::vector<int>                       body;
 
   std::size_t size() const { return mass.size(); }
@@ -59,6 +60,7 @@ struct Store
     for_each_array([n](const std::string &, auto &a) { a.resize(n, 0.); });
     id.resize(n);
     fixed.resize(n, 0);
+    touch.resize(n, 0);
     body.resize(n);
   }
 
@@ -73,6 +75,7 @@ struct Store
     for_each_array([&](const std::string &, auto &a) { apply(a); });
     apply(id);
     apply(fixed);
+    apply(touch);
     apply(body);
   }
 };

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sph/images.h"
+
+#include "core/base/error.h"
+#include "sph/implementation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ogive::sph
+{
+namespace
+{
+using Cell = std::array<std::int64_t, 2>;
+
+/// Share of the spacing that a touching particle may be off the rest gap: well
+/// above rounding, well below elastic strains (with 1e-3, copper that arrives at
+/// 1 m/s would be held by the wall).
+constexpr double touch_slack = 1e-6;
+
+/// Cell of particle i along the wall.
+template <int dim>
+Cell cell_of(const std::array<AlignedVector<double>, dim> &x, std::size_t i, int axis, double spacing)
+{
+  Cell c{0, 0};
+  int  k = 0;
+  for (int a = 0; a < dim; ++a)
+    if (a != axis)
+      c[k++] = static_cast<std::int64_t>(std::floor(std::clamp(x[a][i] / spacing, -1e15, 1e15)));
+  return c;
+}
+} // namespace
+
+template <int dim>
+void Solver<dim>::Implementation::find_wall_axes()
+{
+  const auto &walls = parameters.walls;
+  require(walls.size() < 63, "no more than 62 rigid walls");
+  wall_axis.assign(walls.size(), -1);
+  for (std::size_t w = 0; w < walls.size(); ++w)
+    for (int a = 0; a < dim; ++a)
+      if (std::abs(walls[w].normal[a]) > 1 - 1e-14)
+        wall_axis[w] = a;
+  images.clear();
+  images.emplace_back();
+  for (std::size_t w = 0; w < walls.size(); ++w)
+  {
+    const std::size_t so_far = images.size();
+    for (std::size_t k = 0; k < so_far && wall_axis[w] >= 0; ++k)
+      if (images[k].wall[wall_axis[w]] < 0)
+      {
+        Images more            = images[k];
+        more.wall[wall_axis[w]] = static_cast<int>(w);
+        more.bits |= std::int64_t(1) << w;
+        images.push_back(more);
+      }
+  }
+  images.erase(images.begin());
+}
+
+template <int dim>
+double Solver<dim>::Implementation::gap(std::size_t w, double x, double at) const
+{
+  const auto &wall = parameters.walls[w];
+  const int   a    = wall_axis[w];
+  return (x - wall.point[a] - wall.velocity[a] * at) * wall.normal[a];
+}
+
+template <int dim>
+bool Solver<dim>::Implementation::is_near(const Body &b, std::size_t w,
+                                          const PerAxis<AlignedVector<double>> &x, double at) const
+{
+  double least = b.spacing;
+  for (std::size_t i = b.first; i < b.last; ++i)
+    least = std::min(least, gap(w, x[wall_axis[w]][i], at));
+  return least < b.spacing;
+}
+
+template <int dim>
+void Solver<dim>::Implementation::touch_walls()
+{
+  for (const auto &b : bodies)
+    for (std::size_t w = 0; w < wall_axis.size(); ++w)
+    {
+      const int a = wall_axis[w];
+      if (a < 0)
+        continue;
+      const auto        &wall = parameters.walls[w];
+      const std::int64_t bit  = std::int64_t(1) << w;
+      const double       rest = .5 * b.spacing, slack = touch_slack * b.spacing;
+      for (std::size_t i = b.first; i < b.last; ++i)
+      {
+        const double distance = gap(w, store.x[a][i], time);
+        if (distance > b.spacing)
+        {
+          store.touch[i] &= ~bit;
+          continue;
+        }
+        const double speed = (store.v[a][i] - wall.velocity[a]) * wall.normal[a];
+        if (!(store.touch[i] & bit))
+        {
+          if (distance <= rest + slack && speed <= 0)
+            store.touch[i] |= bit;
+        }
+        else if (speed > 0 && store.points.sigma[a][i] > 0 && distance > rest + slack)
+          store.touch[i] &= ~bit;
+      }
+    }
+}
+
+template <int dim>
+void Solver<dim>::Implementation::find_active()
+{
+  std::fill(active.begin(), active.end(), 0);
+  for (const auto &b : bodies)
+    for (std::size_t w = 0; w < wall_axis.size(); ++w)
+    {
+      const int a = wall_axis[w];
+      if (a < 0)
+        continue;
+      const std::int64_t bit = std::int64_t(1) << w;
+      std::vector<Cell>  cells;
+      for (std::size_t i = b.first; i < b.last; ++i)
+        if (store.touch[i] & bit)
+        {
+          const Cell c = cell_of<dim>(store.x, i, a, b.spacing);
+          for (int p = dim > 1 ? -1 : 0; p <= (dim > 1 ? 1 : 0); ++p)
+            for (int q = dim > 2 ? -1 : 0; q <= (dim > 2 ? 1 : 0); ++q)
+              cells.push_back({c[0] + p, c[1] + q});
+        }
+      if (cells.empty())
+        continue;
+      std::sort(cells.begin(), cells.end());
+      cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+      for (std::size_t i = b.first; i < b.last; ++i)
+        if (gap(w, store.x[a][i], time) < b.list_radius &&
+            std::binary_search(cells.begin(), cells.end(), cell_of<dim>(store.x, i, a, b.spacing)))
+          active[i] |= bit;
+    }
+}
+
+template <int dim>
+void Solver<dim>::Implementation::append_images(Images &m)
+{
+  m.range.clear();
+  for (const auto &b : bodies)
+  {
+    const std::size_t           begin = ghosts.size();
+    std::array<double, 3>       sign{1, 1, 1};
+    std::vector<input::SymmetryPlane> planes;
+    bool                        listed = true;
+    for (int a = 0; a < dim; ++a)
+      if (m.wall[a] >= 0)
+      {
+        sign[a] = -1;
+        listed  = listed && is_near(b, m.wall[a], store.x_listed, time_listed);
+      }
+    for (const auto &p : parameters.symmetry)
+      if (m.wall[p.axis] < 0)
+        planes.push_back(p);
+    for (unsigned subset = 0; listed && subset < (1u << planes.size()); ++subset)
+      for (std::size_t i = b.first; i < b.last; ++i)
+      {
+        std::array<double, 3> s    = sign;
+        bool                  near = true;
+        for (int a = 0; a < dim; ++a)
+          if (m.wall[a] >= 0)
+            near = near && gap(m.wall[a], store.x_listed[a][i], time_listed) < b.list_radius;
+        for (std::size_t k = 0; k < planes.size(); ++k)
+          if (subset >> k & 1)
+          {
+            near = near && store.x_listed[planes[k].axis][i] < b.list_radius;
+            s[planes[k].axis] = -1;
+          }
+        if (near)
+          ghosts.push_back(static_cast<std::uint32_t>(i), s, static_cast<int>(&m - images.data()));
+      }
+    m.range.push_back({begin, ghosts.size()});
+  }
+}
+
+template <int dim>
+double Solver<dim>::Implementation::shift(std::size_t g, int a, double at) const
+{
+  const int m = ghosts.images[g];
+  if (m < 0 || images[m].wall[a] < 0)
+    return 0;
+  const auto &wall = parameters.walls[images[m].wall[a]];
+  return 2 * (wall.point[a] + wall.velocity[a] * at);
+}
+
+template <int dim>
+double Solver<dim>::Implementation::shift_rate(std::size_t g, int a) const
+{
+  const int m = ghosts.images[g];
+  return m < 0 || images[m].wall[a] < 0 ? 0. : 2 * parameters.walls[images[m].wall[a]].velocity[a];
+}
+
+template <int dim>
+double Solver<dim>::Implementation::share(std::size_t g) const
+{
+  const int m = ghosts.images[g];
+  return m < 0 || acts(images[m], ghosts.parent[g]) ? 1. : 0.;
+}
+
+template <int dim>
+void Solver<dim>::Implementation::sweep_images(void (*SweepFunctions::*sweep)(const Sweep &),
+                                               AlignedVector<double> Images::*sums)
+{
+  for (auto &m : images)
+    for (std::size_t k = 0; k < bodies.size(); ++k)
+      if (m.range[k][0] < m.range[k][1])
+        (bodies[k].sweeps.*sweep)(sweep_of(bodies[k], m.pairs, (m.*sums).data()));
+}
+
+template <int dim>
+void Solver<dim>::Implementation::add_images(const AlignedVector<double> Images::*from, std::size_t stride,
+                                             std::size_t first, std::size_t last, AlignedVector<double> &to)
+{
+  for (const auto &m : images)
+    for (std::size_t k = 0; k < bodies.size(); ++k)
+      if (m.range[k][0] < m.range[k][1])
+        for (std::size_t i = bodies[k].first; i < bodies[k].last; ++i)
+          if (m.pairs.rows.row[i] < m.pairs.rows.row[i + 1] && acts(m, i))
+            for (std::size_t f = i * stride + first; f < i * stride + last; ++f)
+              to[f] += (m.*from)[f];
+}
+
+/// What the images press in one kick: into the wall forces and the books.
+template <int dim>
+void Solver<dim>::Implementation::book_images(double kick)
+{
+  for (auto &m : images)
+    for (std::size_t k = 0; k < bodies.size(); ++k)
+      if (m.range[k][0] < m.range[k][1])
+        for (std::size_t i = bodies[k].first; i < bodies[k].last; ++i)
+          for (int a = 0; a < dim; ++a)
+          {
+            double &f = m.forces[i * L::forces_stride + L::f_sum + a];
+            if (!acts(m, i))
+              f = 0;
+            if (m.wall[a] < 0)
+              continue;
+            const auto &wall = parameters.walls[m.wall[a]];
+            wall_forces[m.wall[a]] += f * wall.normal[a];
+            works.external += kick * f * wall.velocity[a];
+            press[i * parameters.walls.size() + m.wall[a]] += kick * f * wall.normal[a] / store.mass[i];
+          }
+}
+
+#define OGIVE_INSTANTIATE(d)                                                                                 \
+  template void   Solver<d>::Implementation::find_wall_axes();                                               \
+  template double Solver<d>::Implementation::gap(std::size_t, double, double) const;                         \
+  template bool   Solver<d>::Implementation::is_near(const Body &, std::size_t,                              \
+                                                     const PerAxis<AlignedVector<double>> &, double) const;  \
+  template void   Solver<d>::Implementation::touch_walls();                                                  \
+  template void   Solver<d>::Implementation::find_active();                                                  \
+  template void   Solver<d>::Implementation::append_images(Images &);                                        \
+  template double Solver<d>::Implementation::shift(std::size_t, int, double) const;                          \
+  template double Solver<d>::Implementation::shift_rate(std::size_t, int) const;                             \
+  template double Solver<d>::Implementation::share(std::size_t) const;                                       \
+  template void   Solver<d>::Implementation::sweep_images(void (*SweepFunctions::*)(const Sweep &),          \
+                                                          AlignedVector<double> Images::*);                  \
+  template void   Solver<d>::Implementation::add_images(const AlignedVector<double> Images::*, std::size_t,  \
+                                                        std::size_t, std::size_t, AlignedVector<double> &);  \
+  template void   Solver<d>::Implementation::book_images(double);
+OGIVE_INSTANTIATE(1)
+OGIVE_INSTANTIATE(2)
+OGIVE_INSTANTIATE(3)
+#undef OGIVE_INSTANTIATE
+} // namespace ogive::sph
