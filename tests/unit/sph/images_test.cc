@@ -58,6 +58,7 @@ std::unique_ptr<Solver<dim>> pressed(const input::RigidWall &w, int axis, const 
     for (int a = 0; a < dim; ++a)
       p.v[i][a] = 25 * std::sin(700 * p.x[i][(a + 1) % dim]);
     p.v[i][axis] -= 120 * w.normal[axis];
+    p.x[i][axis] += .1 * spacing * w.normal[axis]; // so that the contact begins on the way
   }
   return std::make_unique<Solver<dim>>(q, std::vector<BodyParticles<dim>>{p});
 }
