@@ -92,6 +92,7 @@ void OnePointGroup<Element>::add_energies(Balance &balance) const
     patterns += hourglass_energy_[e];
   }
   balance.plastic_work += plastic;
+  balance.thermal += plastic * material_->parameters().thermal.heated_share();
   balance.bulk_viscosity_heat += heat;
   balance.hourglass_fem += patterns;
   balance.elastic += internal - plastic - heat;

@@ -15,7 +15,7 @@ template <int dim, class Kernel, bool standard, bool correction, bool damage>
 SweepFunctions sweeps()
 {
   return {&gradient_sweep<dim, Kernel, standard>, &force_sweep<dim, Kernel, standard, correction, damage>,
-          correction ? &correction_sweep<dim, Kernel> : nullptr, &energy_sweep<dim, Kernel, correction, damage>};
+          correction ? &correction_sweep<dim, Kernel> : nullptr, &energy_sweep<dim, Kernel, correction>};
 }
 
 template <int dim, class Kernel>

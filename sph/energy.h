@@ -11,7 +11,7 @@ namespace ogive::sph
 /// gradW, so that no stress heat leaks to a neighbour; the dissipative pair
 /// forces heat half and half, -1/2 F_ij . v_ij. The sum over all particles is
 /// minus the power of the forces, to rounding.
-template <int dim, class Kernel, bool correction, bool damage>
+template <int dim, class Kernel, bool correction>
 [[gnu::flatten]] void energy_sweep(const Sweep &s)
 {
   using L = Layout<dim>;
@@ -38,9 +38,7 @@ template <int dim, class Kernel, bool correction, bool damage>
         vx += dv[a] * dx[a];
       }
       const VDouble inv_r = kernel.inverse_distance(r2), r = r2 * inv_r;
-      VDouble       wg = j[L::weight] * kernel.slope(r, inv_r);
-      if constexpr (damage)
-        wg *= VDouble(s.pair_damage + p, stdx::vector_aligned);
+      const VDouble wg = j[L::weight] * kernel.slope(r, inv_r);
       VDouble stress = 0.;
       for (int a = 0; a < dim; ++a)
       {

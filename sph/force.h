@@ -14,8 +14,11 @@ namespace ogive::sph
 ///  viscosity  F = -m_i m_j Pi gradW
 ///  hourglass  F = z rho c h V_i V_j (W'/r) (d_ij . r^) r^ (1-D_i)(1-D_j),
 ///             d_ij = v_ij - 1/2 (L_i + L_j) x_ij, zero where it would drive
-/// With damage a pair in tension carries (1 - |D_i - D_j|)^2 of its stress, so
-/// that broken material does not hang on to whole material.
+/// Damage softens the stress of a point itself; the pair carries what its two
+/// ends have. (A factor (1 - |D_i - D_j|)^2 on pairs in tension, as the
+/// literature has it, leaves the gradient as it was: force and gradient are then
+/// no longer transposed, and whole material beside broken material draws
+/// energy from its stress without end.)
 template <int dim, class Kernel, bool standard, bool correction, bool damage>
 [[gnu::flatten]] void force_sweep(const Sweep &s)
 {
@@ -47,7 +50,7 @@ template <int dim, class Kernel, bool standard, bool correction, bool damage>
       const VDouble rr = own[L::density] * j[L::density];
       const VDouble c2 = own[L::sound] + j[L::sound], rho2 = own[L::density] + j[L::density];
 
-      VDouble t[dim], tension = 0., stretch = 0.;
+      VDouble t[dim], stretch = 0.;
       for (int a = 0; a < dim; ++a)
       {
         t[a]         = 0.;
@@ -57,7 +60,6 @@ template <int dim, class Kernel, bool standard, bool correction, bool damage>
           t[a] += (own[L::p + a * dim + b] + j[L::p + a * dim + b]) * dx[b];
           d += (own[L::rate + L::sym(a, b)] + j[L::rate + L::sym(a, b)]) * dx[b];
         }
-        tension += t[a] * dx[a];
         stretch += d * dx[a];
       }
 
@@ -70,15 +72,8 @@ template <int dim, class Kernel, bool standard, bool correction, bool damage>
 
       const VDouble delta = vx - .5 * stretch;
       VDouble       rate  = (z * (vol2 * g)) * (c2 * rho2) * (inv_r * inv_r);
-      VDouble       share = g * ww;
       if constexpr (damage)
-      {
         rate *= (1. - own[L::damage]) * (1. - j[L::damage]);
-        const VDouble keep   = 1. - stdx::abs(own[L::damage] - j[L::damage]);
-        const VDouble factor = select(tension > 0., VDouble(keep * keep), VDouble(1.));
-        share *= factor;
-        factor.copy_to(s.pair_damage + p, stdx::vector_aligned);
-      }
       VDouble hourglass = rate * delta;
       hourglass         = select(hourglass * vx > 0., VDouble(0.), hourglass);
       hourglass.copy_to(s.pair_hourglass + p, stdx::vector_aligned);
@@ -91,7 +86,7 @@ template <int dim, class Kernel, bool standard, bool correction, bool damage>
       }
       for (int a = 0; a < dim; ++a)
       {
-        sum[L::f_sum + a] += share * t[a] + central * dx[a];
+        sum[L::f_sum + a] += g * ww * t[a] + central * dx[a];
         if constexpr (correction)
           sum[L::viscous_sum + a] += viscous * dx[a];
       }

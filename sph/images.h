@@ -9,7 +9,7 @@ namespace ogive::sph
 struct Pairs
 {
   NeighbourRows         rows;
-  AlignedVector<double> viscosity, hourglass, damage; ///< one number a pair, see Sweep
+  AlignedVector<double> viscosity, hourglass; ///< one number a pair, see Sweep
 };
 
 /// Mirror images behind one wall, or, in the corners, behind several: those

@@ -132,9 +132,6 @@ void Solver<dim>::Implementation::size_pairs(Pairs &p) const
   p.hourglass.resize(p.rows.index.size());
   if (!correction)
     p.viscosity.resize(p.rows.index.size());
-  for (const auto &b : bodies)
-    if (b.material->parameters().damage.law != "none")
-      p.damage.resize(p.rows.index.size());
 }
 
 template <int dim>
@@ -226,7 +223,6 @@ Sweep Solver<dim>::Implementation::sweep_of(const Body &b, Pairs &p, double *sum
   s.sums               = sums;
   s.pair_viscosity     = p.viscosity.data();
   s.pair_hourglass     = p.hourglass.data();
-  s.pair_damage        = p.damage.data();
   s.h                  = b.h;
   s.alpha              = o.alpha;
   s.beta               = o.beta;

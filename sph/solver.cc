@@ -214,6 +214,10 @@ Balance Solver<dim>::balance() const
     b.angular_momentum += m * x.cross(v);
     b.kinetic += .5 * m * v.squaredNorm();
   }
+  for (const auto &body : s.bodies)
+    for (std::size_t i = body.first; i < body.last; ++i)
+      b.thermal += s.store.mass[i] * s.store.points.plastic_work[i] *
+                   body.material->parameters().thermal.heated_share();
   b.elastic       = internal - b.plastic_work - b.viscosity_heat - b.hourglass_sph;
   b.external_impulse = s.works.impulse;
   b.external_work = s.works.external;

@@ -67,9 +67,8 @@ struct Sweep
   const double        *energy_records     = nullptr;
   double              *sums               = nullptr; ///< one record of sums a particle
   /// One number a directed pair, kept from the force to the energy sweep:
-  /// central force over x_ij of viscosity and hourglass control, N/m; share of
-  /// the stress that a pair of unequal damage carries.
-  double *pair_viscosity = nullptr, *pair_hourglass = nullptr, *pair_damage = nullptr;
+  /// central force over x_ij of viscosity and of hourglass control, N/m.
+  double *pair_viscosity = nullptr, *pair_hourglass = nullptr;
 
   double h = 0, alpha = 0, beta = 0, hourglass = 0;
   double support = 1; ///< h_c/h of the correction

@@ -10,7 +10,7 @@ namespace
 constexpr std::array quantities{
   ObservedQuantity{"final_length", units::length, true, false, units::none, "extent of the body along the direction"},
   ObservedQuantity{"foot_radius", units::length, true, false, units::none,
-                   "greatest distance from the axis in the lowest tenth of the body"},
+                   "greatest distance from the axis in the lowest tenth of the body, mean over 32 sectors about it"},
   ObservedQuantity{"displacement", units::length, true, false, units::none,
                    "how far the centre of mass has moved along the direction"},
   ObservedQuantity{"residual_velocity", units::velocity, true, false, units::none,

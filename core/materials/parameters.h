@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -50,6 +51,8 @@ struct ThermalParameters
   double reference_temperature = none; ///< K, also the initial one
   double melt_temperature      = none; ///< K
   double taylor_quinney        = none; ///< share of plastic work that heats
+
+  double heated_share() const { return std::isnan(taylor_quinney) ? 0. : taylor_quinney; }
 };
 
 /// One sentence on where one entry comes from.

@@ -1,12 +1,21 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "coupling/observers/shape.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <numeric>
 
 namespace ogive::coupling
 {
 namespace
 {
+/// Of the circle about the axis of a foot.
+constexpr std::size_t sectors = 32;
+
 struct Extent
 {
   double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -39,14 +48,21 @@ double FootRadius::measure(const Sample &s, double)
     e.low  = std::min(e.low, along(s.x, i));
     e.high = std::max(e.high, along(s.x, i));
   }
-  double radius = 0;
+  // Mean over the sectors that hold points: the rim of a coarse lattice or mesh
+  // is not round, and its farthest point alone overstates it.
+  const Vec3                 first = direction().unitOrthogonal(), second = direction().cross(first);
+  std::array<double, sectors> reach{};
   for (std::size_t i = 0; i < s.mass.size(); ++i)
     if (const double height = along(s.x, i); height <= e.low + .1 * e.length())
     {
-      const Vec3 arm = at(s.x, i) - base_;
-      radius         = std::max(radius, (arm - arm.dot(direction()) * direction()).norm() + s.radius[i]);
+      const Vec3   arm    = at(s.x, i) - base_;
+      const double a      = arm.dot(first), b = arm.dot(second);
+      const double turn   = std::atan2(b, a) / (2 * std::numbers::pi) + .5;
+      const auto   sector = std::min(static_cast<std::size_t>(turn * sectors), sectors - 1);
+      reach[sector]       = std::max(reach[sector], std::hypot(a, b) + s.radius[i]);
     }
-  return radius;
+  const auto   seen = std::count_if(reach.begin(), reach.end(), [](double r) { return r > 0; });
+  return std::accumulate(reach.begin(), reach.end(), 0.) / static_cast<double>(seen);
 }
 
 double PeakStress::measure(const Sample &s, double)

@@ -15,7 +15,9 @@ protected:
   double measure(const Sample &, double time) override;
 };
 
-/// Radius of the foot of a Taylor bar.
+/// Radius of the foot of a Taylor bar: the greatest distance from the axis in
+/// the lowest tenth, taken in each of 32 sectors about the axis and averaged
+/// over those that hold points (all points of an axisymmetric model lie in one).
 class FootRadius : public BodyObserver
 {
 public:

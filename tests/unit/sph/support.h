@@ -91,7 +91,7 @@ struct Cloud
   std::vector<double> mass, density;
   NeighbourRows       rows;
   Sweep               sweep;
-  AlignedVector<double> force, correction, energy, gradient_sums, force_sums, power_sums, viscosity, hourglass, damage;
+  AlignedVector<double> force, correction, energy, gradient_sums, force_sums, power_sums, viscosity, hourglass;
 
   explicit Cloud(const BodyParticles<dim> &p, double h_)
     : h(h_)
@@ -126,7 +126,7 @@ struct Cloud
     gradient_sums.assign(n * L::gradient_stride, 0.);
     force_sums.assign(n * L::forces_stride, 0.);
     power_sums.assign(n * L::powers_stride, 0.);
-    for (auto *a : {&viscosity, &hourglass, &damage})
+    for (auto *a : {&viscosity, &hourglass})
       a->assign(rows.index.size(), 0.);
     for (std::size_t i = 0; i < n; ++i)
     {
@@ -149,7 +149,6 @@ struct Cloud
     sweep.energy_records     = energy.data();
     sweep.pair_viscosity     = viscosity.data();
     sweep.pair_hourglass     = hourglass.data();
-    sweep.pair_damage        = damage.data();
     sweep.h                  = h;
     sweep.alpha              = 1;
     sweep.beta               = 2;
