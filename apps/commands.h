@@ -18,6 +18,7 @@ struct RunArguments : SceneArguments
 {
   std::string directory; ///< empty: results/<scene>-<n>
   bool        force = false;
+  int         ranks = 1;
 };
 
 struct RestartArguments

@@ -39,6 +39,7 @@ int main(int argc, char *argv[])
   CLI::App *run = app.add_subcommand("run", "run a scene");
   add_scene(*run, run_arguments);
   run->add_option("-o,--output", run_arguments.directory, "directory of the results (results/<scene>-<n>)");
+  run->add_option("-n,--ranks", run_arguments.ranks, "processes (this version runs on one)");
   run->add_flag("--force", run_arguments.force, "replace earlier results in the directory");
 
   apps::RestartArguments restart_arguments;

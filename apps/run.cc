@@ -74,6 +74,8 @@ void print(const io::Summary &summary, const io::RunDirectory &directory)
 
 void run(const RunArguments &a)
 {
+  if (a.ranks != 1)
+    throw InputError("-n " + std::to_string(a.ranks) + ": this version runs on one process; leave -n out or give 1");
   const input::Scene     scene    = input::read_scene(a.scene, a.overrides);
   const std::string      resolved = input::write_resolved(scene);
   const io::RunDirectory directory =

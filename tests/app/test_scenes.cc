@@ -76,3 +76,59 @@ TEST(TaylorCopper, Axisymmetric)
   EXPECT_LT(error(s, "foot_radius"), .01);
   EXPECT_LT(check(s, "energy_drift"), .01);
 }
+
+TEST(TaylorCopper, QuarterOfElements)
+{
+  const auto s = run("taylor-copper-227/scene.prm");
+  EXPECT_LT(error(s, "final_length"), .01);
+  EXPECT_LT(error(s, "foot_radius"), .01);
+  EXPECT_LT(check(s, "energy_drift"), .01);
+  EXPECT_LT(check(s, "hourglass_fraction"), .012);
+}
+
+TEST(TaylorCopper, QuarterOfParticles)
+{
+  const auto s = run("taylor-copper-227/scene.prm", {"Bodies/bar/method=sph"});
+  EXPECT_LT(error(s, "final_length"), .04);
+  EXPECT_LT(error(s, "foot_radius"), .04);
+  EXPECT_LT(check(s, "energy_drift"), 1e-10);
+}
+
+TEST(SpinningBlock, SplitKeepsItsMomenta)
+{
+  const auto s = run("spinning-block/split.prm", {"end time=2 ms"});
+  EXPECT_LT(check(s, "momentum_drift"), 1e-12);
+  EXPECT_LT(check(s, "energy_drift"), 1e-10);
+  // the correction's pair impulses are not central
+  EXPECT_LT(check(s, "angular_momentum_drift"), 1e-7);
+}
+
+namespace
+{
+/// The plate with a coarse zone: which side of the ballistic limit
+/// (184.5 m/s, test) a shot lies on does not hang on the resolution.
+nlohmann::json coarse_plate(const std::string &speed)
+{
+  return run("plate-weldox-blunt/scene.prm",
+             {"Bodies/projectile/velocity=0, 0, -" + speed, "Bodies/plate-zone/spacing=1.5 mm",
+              "Bodies/projectile/spacing=2.5 mm", "Bodies/plate-rest/spacing=3 mm"});
+}
+} // namespace
+
+TEST(PlateWeldoxBlunt, PerforatesAt303)
+{
+  const auto s = coarse_plate("303.5 m/s");
+  EXPECT_EQ(quantity(s, "perforated"), 1);
+  EXPECT_GT(quantity(s, "residual_velocity"), 100);
+  EXPECT_LT(quantity(s, "residual_velocity"), 199.7 * 1.05);
+  EXPECT_LT(check(s, "energy_drift"), .01);
+  EXPECT_LT(check(s, "momentum_drift"), 1e-12);
+}
+
+TEST(PlateWeldoxBlunt, HoldsAt150)
+{
+  const auto s = coarse_plate("150 m/s");
+  EXPECT_EQ(quantity(s, "perforated"), 0);
+  EXPECT_LT(quantity(s, "residual_velocity"), 20);
+  EXPECT_LT(check(s, "energy_drift"), .01);
+}
