@@ -16,7 +16,7 @@ using namespace ogive::sph::test;
 
 TEST(Fracture, TornStripDrawsNoEnergyFromItsStress)
 {
-  const double          dx = 1.1e-3, v0 = 90;
+  const double          dx = 1.1e-3, v0 = 350;
   materials::Parameters m = material(7850, 160e9, 77e9, 6e8)->parameters();
   m.damage.law            = "plastic-strain";
   m.damage.failure_strain = .15;
