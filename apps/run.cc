@@ -76,13 +76,17 @@ void run(const RunArguments &a)
 {
   if (a.ranks != 1)
     throw InputError("-n " + std::to_string(a.ranks) + ": this version runs on one process; leave -n out or give 1");
-  const input::Scene     scene    = input::read_scene(a.scene, a.overrides);
-  const std::string      resolved = input::write_resolved(scene);
-  const io::RunDirectory directory =
-    io::RunDirectory::create(a.directory.empty() ? io::RunDirectory::default_name(scene.name) : a.directory, a.force);
-  io::write_whole(directory.resolved_scene(), resolved);
-  Log log;
-  print(coupling::run_scene(scene, directory, {resolved, OGIVE_VERSION, OGIVE_COMMIT}, log), directory);
+  const input::Scene scene    = input::read_scene(a.scene, a.overrides);
+  const std::string  resolved = input::write_resolved(scene);
+  const std::string  path     = a.directory.empty() ? io::RunDirectory::default_name(scene.name) : a.directory;
+  const auto         open     = [&] {
+    io::RunDirectory directory = io::RunDirectory::create(path, a.force);
+    io::write_whole(directory.resolved_scene(), resolved);
+    return directory;
+  };
+  Log               log;
+  const io::Summary summary = coupling::run_scene(scene, open, {resolved, OGIVE_VERSION, OGIVE_COMMIT}, log);
+  print(summary, io::RunDirectory::open(path));
 }
 
 void restart(const RestartArguments &a)

@@ -45,6 +45,9 @@ public:
   /// Sum over the listed contacts of the force between the two bodies, N.
   double contact_force() const;
 
+  const std::vector<InitialOverlap> &initial_overlaps() const { return coupler_->initial_overlaps(); }
+  std::int64_t                       lost_contacts() const { return coupler_->lost_contacts(); }
+
   std::size_t   particles() const { return sph_ ? sph_->size() : 0; }
   std::size_t   elements() const { return fem_ ? fem_->size() : 0; }
   std::uint64_t particle_updates() const { return sph_ ? sph_->updates() : 0; }

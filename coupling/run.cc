@@ -35,13 +35,13 @@ template <int dim>
 class Run
 {
 public:
-  Run(const input::Scene &scene, const io::RunDirectory &directory, const RunLabels &labels, Log &log)
+  Run(const input::Scene &scene, const std::function<io::RunDirectory()> &open, const RunLabels &labels, Log &log)
     : scene_(scene)
-    , directory_(directory)
     , labels_(labels)
     , log_(log)
     , control_(step_control(scene))
     , model_(scene)
+    , directory_(open())
     , clock_(scene.end_time, control_)
     , mark_clock_(clock_)
     , history_due_(scene.output.history_interval)
@@ -55,6 +55,9 @@ public:
   {
     history_.emplace(directory_.history(), report_.columns());
     fields_.emplace(directory_.path());
+    for (const InitialOverlap &o : model_.initial_overlaps())
+      log_.warn("contact \"" + o.contact + "\": " + std::to_string(o.count) + " points overlap at the start, by up to " +
+                engineering(o.worst) + " m; their gap counts as zero until it opens");
     history_due_.due(clock_);
     fields_due_.due(clock_);
     checkpoint_due_.due(clock_);
@@ -158,11 +161,11 @@ private:
   }
 
   const input::Scene                   &scene_;
-  const io::RunDirectory               &directory_;
   const RunLabels                      &labels_;
   Log                                  &log_;
   StepControl                           control_;
   Model<dim>                            model_;
+  io::RunDirectory                      directory_;
   Clock                                 clock_, mark_clock_;
   Schedule                              history_due_, fields_due_, checkpoint_due_;
   StopWatch                             stop_;
@@ -225,6 +228,9 @@ io::Summary Run<dim>::finish()
   if (checkpoint_step_ != clock_.step())
     write_checkpoint();
   log_.finish();
+  if (const std::int64_t lost = model_.lost_contacts(); lost > 0)
+    log_.warn(std::to_string(lost) + " contacts went deeper than two facets and were given up: what their springs held "
+                                     "is in contact_loss; a finer step or equal spacings of the two bodies may help");
 
   io::Summary summary                  = report_.summary();
   summary.version                      = labels_.version;
@@ -286,10 +292,11 @@ auto with_dimension(const input::Scene &scene, F &&f)
 }
 } // namespace
 
-io::Summary run_scene(const input::Scene &scene, const io::RunDirectory &directory, const RunLabels &labels, Log &log)
+io::Summary run_scene(const input::Scene &scene, const std::function<io::RunDirectory()> &open,
+                      const RunLabels &labels, Log &log)
 {
   return with_dimension(scene, [&]<int dim>() {
-    Run<dim> run(scene, directory, labels, log);
+    Run<dim> run(scene, open, labels, log);
     run.begin();
     return run.go();
   });
@@ -299,7 +306,7 @@ io::Summary restart_scene(const input::Scene &scene, const io::RunDirectory &dir
                           const io::Hdf5ArchiveReader &checkpoint, const RunLabels &labels, Log &log)
 {
   return with_dimension(scene, [&]<int dim>() {
-    Run<dim> run(scene, directory, labels, log);
+    Run<dim> run(scene, [&] { return directory; }, labels, log);
     run.resume(checkpoint);
     return run.go();
   });

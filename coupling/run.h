@@ -7,6 +7,7 @@
 #include "core/io/run_directory.h"
 #include "core/io/summary.h"
 
+#include <functional>
 #include <string>
 
 namespace ogive::coupling
@@ -21,7 +22,9 @@ struct RunLabels
   std::string resolved, version, commit;
 };
 
-io::Summary run_scene(const input::Scene &, const io::RunDirectory &, const RunLabels &, Log &);
+/// `open` makes the directory; it is called once the model stands, so that a
+/// scene that cannot be built touches nothing.
+io::Summary run_scene(const input::Scene &, const std::function<io::RunDirectory()> &open, const RunLabels &, Log &);
 
 /// Goes on from a checkpoint of the directory; rows and states written after it
 /// are dropped, and what follows is equal to the bit to an unbroken run.

@@ -47,6 +47,15 @@ std::string unit_of(const input::Observer &o)
   return input::summary_unit(input::find_quantity(o.quantity)->dimension);
 }
 
+/// A length of the order of the scene's bodies, m.
+double extent(const input::Scene &scene)
+{
+  double length = 0;
+  for (const input::Body &b : scene.bodies)
+    length = std::max({length, (b.shape.upper - b.shape.lower).norm(), b.shape.radius, b.shape.length});
+  return length;
+}
+
 /// "kinetic [J]" in its two parts.
 io::HistoryWriter::Column split(const std::string &column)
 {
@@ -123,7 +132,7 @@ io::Summary::Checks RunReport::checks() const
   // walls, boundaries and symmetry planes give couples that no book holds
   const bool   free = scene_.walls.empty() && scene_.boundaries.empty() && scene_.symmetry.empty();
   const double spin = first.angular_momentum.norm();
-  checks.angular_momentum_drift = free && spin > 0 ? (last.angular_momentum - first.angular_momentum).norm() / spin :
+  checks.angular_momentum_drift = free && spin > 1e-9 * scale * extent(scene_) ? (last.angular_momentum - first.angular_momentum).norm() / spin :
                                                      std::numeric_limits<double>::quiet_NaN();
   return checks;
 }

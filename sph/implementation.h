@@ -17,6 +17,9 @@ struct Works
 {
   double external = 0, wall_loss = 0, friction = 0;
   Vec3   impulse  = Vec3::Zero();
+  /// Pull of each wall's images not yet made good by later pressure, N s, <= 0:
+  /// friction waits for it, so that in the sum it is mu times the net impulse.
+  std::vector<double> pull{};
 };
 
 /// Inside the solver. solver.cc: the public face; phases.cc: the phases of a
@@ -53,6 +56,7 @@ struct Solver<dim>::Implementation
   std::vector<Images>        images;
   std::vector<int>           wall_axis; ///< of walls across an axis, or -1
   std::vector<std::int64_t>  active;    ///< bit w: images behind wall w act
+  std::vector<double>        friction_share; ///< see share_friction(), of each wall
   std::vector<double>        press;     ///< velocity that wall w's images gave particle i in the kick
   AlignedVector<double>      force_records, correction_records, energy_records;
   AlignedVector<double>      gradient_sums, force_sums, power_sums;
@@ -120,6 +124,8 @@ struct Solver<dim>::Implementation
 
   // motion.cc
   void       kick(const TimeStep &);
+  double     landing(std::size_t i, std::size_t w, const TimeStep &, double spacing) const;
+  void       share_friction(const TimeStep &);
   void       land_on_walls(std::size_t i, const TimeStep &, double spacing);
   void       stay_on_side(std::size_t i, const TimeStep &);
   void       book_planes(double kick);

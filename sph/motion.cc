@@ -4,6 +4,7 @@
 #include "sph/implementation.h"
 
 #include <algorithm>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -76,6 +77,41 @@ void Solver<dim>::Implementation::stay_on_side(std::size_t i, const TimeStep &t)
   }
 }
 
+/// Normal velocity that lands particle i half a spacing in front of wall w.
+template <int dim>
+double Solver<dim>::Implementation::landing(std::size_t i, std::size_t w, const TimeStep &t, double spacing) const
+{
+  const auto &wall   = parameters.walls[w];
+  double      excess = -.5 * spacing;
+  for (int a = 0; a < dim; ++a)
+    excess += wall.normal[a] * (store.x[a][i] + t.drift * store.v[a][i] - wall.point[a] -
+                                wall.velocity[a] * (t.time + t.drift));
+  return excess < 0 ? -excess / t.drift : 0;
+}
+
+/// Images pull on some particles and press on others; friction takes what is
+/// left in the sum. The share of the pressing parts that a wall's friction may
+/// use, so that its total is mu times the net normal impulse.
+template <int dim>
+void Solver<dim>::Implementation::share_friction(const TimeStep &t)
+{
+  for (std::size_t w = 0; w < parameters.walls.size(); ++w)
+  {
+    double pressing = 0, net = 0;
+    for (const auto &b : bodies)
+      for (std::size_t i = b.first; i < b.last; ++i)
+        if (is_slave.empty() || !is_slave[store.id[i]])
+        {
+          const double push = landing(i, w, t, b.spacing), images = press[i * parameters.walls.size() + w];
+          pressing += store.mass[i] * (push + std::max(images, 0.));
+          net += store.mass[i] * (push + images);
+        }
+    net += works.pull[w];
+    works.pull[w]     = std::min(net, 0.);
+    friction_share[w] = pressing > 0 ? std::clamp(net / pressing, 0., 1.) : 0.;
+  }
+}
+
 /// Gives a particle that would pass a wall the normal velocity that lands it
 /// half a spacing in front of it: all that an oblique wall does, and next to
 /// the images of the others (images.h) what these do not stop. Coulomb friction
@@ -86,22 +122,19 @@ void Solver<dim>::Implementation::land_on_walls(std::size_t i, const TimeStep &t
   for (std::size_t w = 0; w < parameters.walls.size(); ++w)
   {
     const auto &wall = parameters.walls[w];
-    Vec3        x = Vec3::Zero(), v = Vec3::Zero(), before = Vec3::Zero();
+    Vec3        v = Vec3::Zero(), before = Vec3::Zero();
     for (int a = 0; a < dim; ++a)
     {
-      x[a]      = store.x[a][i];
       v[a]      = store.v[a][i];
       before[a] = energy_records[i * L::energy_stride + L::v + a]; // v_{n-1/2} until the means are taken
     }
-    const Vec3   end    = wall.point + wall.velocity * (t.time + t.drift);
-    const double excess = (x + t.drift * v - end).dot(wall.normal) - .5 * spacing;
-    const double push   = excess < 0 ? -excess / t.drift : 0;
+    const double push    = landing(i, w, t, spacing);
     const double pressed = push + std::max(press[i * parameters.walls.size() + w], 0.);
     if (!(pressed > 0))
       continue;
     const Vec3   trial_slip = v - wall.velocity - (v - wall.velocity).dot(wall.normal) * wall.normal;
     const double slip       = trial_slip.norm();
-    const double brake      = std::min(wall.friction * pressed, slip);
+    const double brake      = std::min(wall.friction * friction_share[w] * pressed, slip);
     const Vec3   drag       = slip > 0 ? Vec3(-brake / slip * trial_slip) : Vec3(Vec3::Zero());
     const Vec3   landed     = v + push * wall.normal + drag;
     const double m          = store.mass[i];
@@ -166,7 +199,13 @@ void Solver<dim>::Implementation::kick(const TimeStep &t)
         else
           store.v[a][i] += t.kick * f / m;
       }
-      if (is_slave.empty() || !is_slave[id])
+    }
+  share_friction(t);
+  for (const auto &b : bodies)
+    for (std::size_t i = b.first; i < b.last; ++i)
+    {
+      double *record = &energy_records[i * L::energy_stride];
+      if (is_slave.empty() || !is_slave[store.id[i]])
       {
         land_on_walls(i, t, b.spacing);
         stay_on_side(i, t);
@@ -200,6 +239,8 @@ StepStatus Solver<dim>::Implementation::drift(double dt)
 
 #define OGIVE_INSTANTIATE(d)                                                                                 \
   template void       Solver<d>::Implementation::mark_boundaries(const std::vector<BodyParticles<d>> &);     \
+  template double     Solver<d>::Implementation::landing(std::size_t, std::size_t, const TimeStep &, double) const; \
+  template void       Solver<d>::Implementation::share_friction(const TimeStep &);                           \
   template void       Solver<d>::Implementation::land_on_walls(std::size_t, const TimeStep &, double);       \
   template void       Solver<d>::Implementation::book_planes(double);                                        \
   template void       Solver<d>::Implementation::kick(const TimeStep &);                                     \

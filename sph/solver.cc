@@ -74,6 +74,8 @@ Solver<dim>::Implementation::Implementation(const Parameters &p, std::vector<Bod
   wall_forces.resize(p.walls.size());
   active.resize(n);
   press.resize(n * p.walls.size());
+  friction_share.resize(p.walls.size());
+  works.pull.resize(p.walls.size());
   for (std::size_t k = 0; k < bodies.size(); ++k)
   {
     const auto &b = bodies[k];

@@ -60,6 +60,7 @@ void Solver<dim>::Implementation::write(ArchiveWriter &out, const std::string &p
   const double work[8] = {works.external,   works.wall_loss,  works.friction, works.impulse[0],
                           works.impulse[1], works.impulse[2], time,           time_listed};
   out.write(prefix + "/works", std::span<const double>(work, 8));
+  out.write(prefix + "/wall_pull", std::span<const double>(works.pull));
   out.write(prefix + "/wall_forces", std::span<const double>(wall_forces));
   out.write(prefix + "/updates", static_cast<std::int64_t>(updates));
 }
@@ -88,7 +89,8 @@ void Solver<dim>::Implementation::read(const ArchiveReader &in, const std::strin
   integers("near_surface", near_surface);
   const auto work = in.doubles(prefix + "/works");
   fit("works", work.size(), 8);
-  works           = {work[0], work[1], work[2], Vec3(work[3], work[4], work[5])};
+  works           = {work[0], work[1], work[2], Vec3(work[3], work[4], work[5]), in.doubles(prefix + "/wall_pull")};
+  fit("wall_pull", works.pull.size(), parameters.walls.size());
   time            = work[6];
   time_listed     = work[7];
   wall_forces     = in.doubles(prefix + "/wall_forces");

@@ -116,6 +116,17 @@ void check_spacing(const Place &p)
     if (e.length < p.body.spacing * (1 - 1e-9))
       p.refuse("spacing", "the body is smaller than its spacing: \"" + e.entry + "\" leaves " + in_mm(e.length),
                "at most " + in_mm(e.length));
+  constexpr double most  = 1e9;
+  double           count = 1;
+  if (p.body.shape.kind != ShapeKind::mesh)
+  {
+    const BoundingBox box = bounding_box(p.body.shape, p.scene.dimension);
+    for (int i = 0; i < space_dimension(p.scene.dimension); ++i)
+      count *= (box.upper[i] - box.lower[i]) / p.body.spacing;
+  }
+  if (!(count <= most))
+    p.refuse("spacing", "a body of this size would have about " + units::format_number(std::round(count)) + " points",
+             "a spacing that leaves fewer than " + units::format_number(most));
   if (p.body.spacing_far > 0 && p.body.spacing_far < p.body.spacing)
     p.refuse("spacing far", "the mesh would grow finer away from the impact", "0 or at least \"spacing\"");
 }

@@ -99,7 +99,8 @@ void AngularMomentumDrift::row(const RowFrame &frame)
   if (!started_)
     start_ = frame.angular_momentum;
   started_ = true;
-  value_   = (frame.angular_momentum - start_).norm() / start_.norm();
+  value_   = start_.norm() > 0 ? (frame.angular_momentum - start_).norm() / start_.norm() :
+                                 std::numeric_limits<double>::quiet_NaN();
 }
 
 std::vector<double> AngularMomentumDrift::memory() const

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 
 using namespace ogive::test;
@@ -125,4 +126,63 @@ TEST(Command, ReferenceListsEntriesWithUnits)
   ASSERT_EQ(reference.status, 0);
   for (const char *entry : {"end time", "spacing", "velocity", "tied", "friction", "foot_radius"})
     EXPECT_NE(reference.out.find(entry), std::string::npos) << entry;
+}
+
+namespace
+{
+/// A copper bar on a wall far above any speed that the model is meant for.
+Outcome absurd_impact(const Scratch &scratch, const std::string &method, const std::string &speed)
+{
+  return ogive::test::ogive({"run", scene("taylor-copper-227/scene.prm"), "-o", scratch.path("r"), "--set",
+                             "Bodies/bar/method=" + method, "--set", "Bodies/bar/velocity=0, 0, -" + speed, "--set",
+                             "Bodies/bar/spacing=0.8 mm", "--set", "end time=4 us"});
+}
+} // namespace
+
+TEST(Command, RejectedStepGoesBackAndOnWithItsBooksClosed)
+{
+  const Scratch scratch;
+  const Outcome run = absurd_impact(scratch, "sph", "12 km/s");
+  ASSERT_EQ(run.status, 0) << run.err;
+  ASSERT_NE(run.err.find("step rejected"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("of body \"bar\" at ("), std::string::npos) << run.err;
+  const auto s = summary(scratch.path("r"));
+  EXPECT_LT(std::abs(s.at("checks").at("energy_drift").get<double>()), 1e-10);
+  EXPECT_DOUBLE_EQ(s.at("end_time_s").get<double>(), 4e-6);
+  EXPECT_FALSE(s.at("warnings").empty());
+}
+
+TEST(Command, FailingRunNamesEntityPlaceTimeAndCause)
+{
+  const Scratch scratch;
+  const Outcome run = absurd_impact(scratch, "fem", "30 km/s");
+  EXPECT_EQ(run.status, 1);
+  for (const char *word : {"element ", "of body \"bar\"", " m: ", "at time ", "the time step fell to"})
+    EXPECT_NE(run.err.find(word), std::string::npos) << word << " in\n" << run.err;
+  EXPECT_TRUE(fs::exists(scratch.path("r/history.csv"))); // what was written stays
+}
+
+TEST(Command, SceneThatCannotBeBuiltTouchesNothing)
+{
+  const Scratch scratch;
+  ASSERT_EQ(ogive::test::ogive(short_run(scratch)).status, 0);
+  const std::string history = read_file(scratch.path("r/history.csv"));
+  // no face of that name: found only once the mesh stands
+  std::string text = read_file(scene("plate-weldox-blunt/scene.prm"));
+  text.replace(text.find("set face = outer"), 16, "set face = rim  ");
+  write_file(scratch.path("wrong.prm"), text);
+  const Outcome run = ogive::test::ogive({"run", scratch.path("wrong.prm"), "-o", scratch.path("r"), "--force"});
+  EXPECT_EQ(run.status, 2);
+  EXPECT_NE(run.err.find("rim"), std::string::npos) << run.err;
+  EXPECT_EQ(read_file(scratch.path("r/history.csv")), history);
+}
+
+TEST(Command, CountsBeyondReasonAreRefusedAtOnce)
+{
+  for (const char *setting : {"Bodies/projectile/spacing=1e-9 mm", "Bodies/plate-zone/spacing=1e-9 mm"})
+  {
+    const Outcome check = ogive::test::ogive({"check", scene("plate-weldox-blunt/scene.prm"), "--set", setting});
+    EXPECT_EQ(check.status, 2);
+    EXPECT_NE(check.err.find("points"), std::string::npos) << check.err;
+  }
 }
