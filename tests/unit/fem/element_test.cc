@@ -136,7 +136,20 @@ TYPED_TEST(OnePoint, RigidTurnStrainsNothing)
       EXPECT_NEAR(Q[0][i], turned[i], 1e-13);
   }
   else
-    SUCCEED(); // no rigid turn within one dimension or a half section
+  {
+    // one dimension and the half section know no turn: the rigid motion left is
+    // the shift along the last axis
+    Sample<TypeParam> here(7), shift(8);
+    for (int a = 0; a < n; ++a)
+      for (int i = 0; i < dim; ++i)
+        shift.x[a][i] = i == dim - 1 ? 317. : 0.;
+    Geometry<TypeParam, double>    g;
+    Deformation<TypeParam, double> d;
+    const double                   dt = 3e-7;
+    deform<TypeParam, double>(here.x, shift.x, dt, g, d);
+    for (const double strain : d.strain)
+      EXPECT_NEAR(strain / (317 * dt / 2e-3), 0, 1e-13);
+  }
 }
 
 // Corner forces are minus the transpose of the strain operator: their power is
