@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "apps/commands.h"
 
+#include "core/base/error.h"
 #include "core/base/log.h"
 #include "core/input/reader.h"
 #include "coupling/run.h"
@@ -29,8 +30,16 @@ const char *rung(input::Dimension d)
 
 void check(const SceneArguments &a)
 {
-  const input::Scene   scene = input::read_scene(a.scene, a.overrides);
-  const coupling::Plan plan  = coupling::plan_scene(scene);
+  const input::Scene scene = input::read_scene(a.scene, a.overrides);
+  coupling::Plan     plan;
+  try
+  {
+    plan = coupling::plan_scene(scene);
+  }
+  catch (const InputError &e)
+  {
+    input::rethrow_in_scene(a.scene, e);
+  }
 
   std::printf("%s: %s\n", scene.name.c_str(), scene.title.c_str());
   std::string planes;

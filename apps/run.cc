@@ -84,9 +84,19 @@ void run(const RunArguments &a)
     io::write_whole(directory.resolved_scene(), resolved);
     return directory;
   };
-  Log               log;
-  const io::Summary summary = coupling::run_scene(scene, open, {resolved, OGIVE_VERSION, OGIVE_COMMIT}, log);
-  print(summary, io::RunDirectory::open(path));
+  Log log;
+  try
+  {
+    const io::Summary summary = coupling::run_scene(scene, open, {resolved, OGIVE_VERSION, OGIVE_COMMIT}, log);
+    print(summary, io::RunDirectory::open(path));
+  }
+  catch (const InputError &e)
+  {
+    // the directory's own complaints speak of no entry
+    if (e.where().entry.empty())
+      throw;
+    input::rethrow_in_scene(a.scene, e);
+  }
 }
 
 void restart(const RestartArguments &a)

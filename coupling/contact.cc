@@ -99,7 +99,7 @@ void ContactSet<dim>::review_overlaps(const Faces<dim> &faces, const ContactPair
     message << "contact \"" << overlap.contact << "\": the bodies overlap at the start by " << overlap.worst
             << " m at (" << overlap.where.transpose() << ") m, more than half a spacing ("
             << pair.half_spacing() << " m); move them apart";
-    throw InputError(message.str());
+    throw InputError({"", 0, "Contacts/" + overlap.contact}, message.str());
   }
   overlaps_.push_back(overlap);
 }

@@ -82,7 +82,7 @@ InputError nobody_at_seam(const InterfaceSpec &spec, double distance, double spa
   message << "interface \"" << spec.name << "\": no particle of body \"" << spec.particle_body
           << "\" lies within one spacing (" << spacing << " m) of the surface of body \"" << spec.mesh_body
           << "\"; the nearest is " << distance << " m away";
-  return InputError(message.str());
+  return InputError({"", 0, "Interfaces/" + spec.name}, message.str());
 }
 } // namespace
 
@@ -141,7 +141,7 @@ void TiedInterface<dim>::choose(const InterfaceSpec &spec, Seam &seam, MeshPort<
               << spec.particle_body << "\" cannot ride an element of body \"" << spec.mesh_body
               << "\": the elements at the seam are too distorted or too small for the particle spacing of "
               << seam.spacing << " m";
-      throw InputError(message.str());
+      throw InputError({"", 0, "Interfaces/" + spec.name}, message.str());
     }
     slaves.add(cloud.id[i]);
     id_.push_back(cloud.id[i]);
@@ -173,7 +173,7 @@ void TiedInterface<dim>::give_mass(const InterfaceSpec &spec, const Seam &seam, 
               << "\" would leave a node of body \"" << spec.mesh_body << "\" with mass "
               << seam.faces[mesh_party].mass[node] + sum
               << " kg; use elements at least as large as the particle spacing (" << seam.spacing << " m)";
-      throw InputError(message.str());
+      throw InputError({"", 0, "Interfaces/" + spec.name}, message.str());
     }
     mesh.add_mass(node, sum);
     a = b;

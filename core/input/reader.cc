@@ -139,6 +139,22 @@ Scene read_scene(const std::string &file, const std::vector<std::string> &overri
   return s;
 }
 
+void rethrow_in_scene(const std::string &file, const InputError &e)
+{
+  if (e.where().line > 0 || !fs::is_regular_file(file))
+    throw e;
+  const Listing      listing = list_file(file);
+  const std::string &entry   = e.where().entry;
+  // a subsection by its path or its name, else an entry of one
+  for (const ListedSection &section : listing.sections)
+    if (!entry.empty() && (section.path == entry || section.path.ends_with("/" + entry)))
+      throw InputError({section.file, section.line, section.path}, e.complaint());
+  const std::size_t slash = entry.rfind('/');
+  throw InputError(slash == std::string::npos ? listing.where("", entry) :
+                                                listing.where(entry.substr(0, slash), entry.substr(slash + 1)),
+                   e.complaint());
+}
+
 std::string write_resolved(const Scene &scene)
 {
   Scene  s = scene;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "core/base/error.h"
 #include "core/input/scene.h"
 #include "core/materials/parameters.h"
 
@@ -21,6 +22,11 @@ namespace ogive::input
 /// and so on; the second, strict, knows the entries of just those. How an entry
 /// is added stands in fields.h.
 Scene read_scene(const std::string &file, const std::vector<std::string> &overrides = {});
+
+/// Throws an error found after reading (no such face, a mesh beyond its plane)
+/// again, with the scene file and the line of the entry, section or name that
+/// the error speaks of, as near as it can be told.
+[[noreturn]] void rethrow_in_scene(const std::string &file, const InputError &);
 
 /// The file of a material of the library. Throws InputError for an unknown
 /// name, with the nearest known one.

@@ -167,13 +167,14 @@ TEST(Command, SceneThatCannotBeBuiltTouchesNothing)
   const Scratch scratch;
   ASSERT_EQ(ogive::test::ogive(short_run(scratch)).status, 0);
   const std::string history = read_file(scratch.path("r/history.csv"));
-  // no face of that name: found only once the mesh stands
+  // no particle at the seam: found only once both bodies stand
   std::string text = read_file(scene("plate-weldox-blunt/scene.prm"));
-  text.replace(text.find("set face = outer"), 16, "set face = rim  ");
+  text.replace(text.find("set radius    = 24 mm"), 21, "set radius    = 18 mm");
   write_file(scratch.path("wrong.prm"), text);
   const Outcome run = ogive::test::ogive({"run", scratch.path("wrong.prm"), "-o", scratch.path("r"), "--force"});
   EXPECT_EQ(run.status, 2);
-  EXPECT_NE(run.err.find("rim"), std::string::npos) << run.err;
+  for (const char *word : {"wrong.prm:60: ", "Interfaces/plate", "plate-zone", "m away"})
+    EXPECT_NE(run.err.find(word), std::string::npos) << word << " in\n" << run.err;
   EXPECT_EQ(read_file(scratch.path("r/history.csv")), history);
 }
 
