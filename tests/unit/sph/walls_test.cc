@@ -66,9 +66,10 @@ TEST(Walls, BooksCloseForABlockAgainstAnObliqueWall)
 }
 
 /// Coulomb's law for a block that slides one way all the time: the impulse
-/// along the wall is mu times the one across it, images and landing together. It
-/// exceeds it by what the images pull as they let go (5 % here): that comes when
-/// the friction has been taken. Friction on the pressing particles alone gives .46.
+/// along the wall is mu times the one across it, images and landing together. Measured:
+/// .210 (a bound of .01 mu failed); the excess is suspected to be the images'
+/// pull as they let go, after the friction was taken. Friction on the pressing
+/// particles alone, the fault this guards against, gave .46 in a like case.
 TEST(Walls, FrictionOfASlidingBlockIsMuTimesTheNormalImpulse)
 {
   const double mu = .2;
