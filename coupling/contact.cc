@@ -25,7 +25,7 @@ Point<dim> carried_velocity(const Faces<dim> &faces, Party party, const ContactR
   Point<dim> v = Point<dim>::Zero();
   for (int k = 0; k < record.n; ++k)
   {
-    const std::uint32_t i = moved ? faces.now(party, record.other[k], record.key.other) : record.other[k];
+    const std::uint32_t i = moved ? faces.now(party, record.other[k], record.other_id[k]) : record.other[k];
     v += record.weight[k] * faces.velocity(party, i);
   }
   return v;
@@ -46,7 +46,7 @@ ContactSet<dim>::ContactSet(std::vector<ContactSpec> specs, std::vector<int> sym
     const auto next = [&] { return static_cast<std::int64_t>(pairs_.size()); };
     if (spec.first_party == particle_party || spec.second_party == mesh_party)
       pairs_.emplace_back(spec, false, next());
-    if (spec.first_party == mesh_party)
+    if (spec.first_party == mesh_party || spec.second_party == particle_party)
       pairs_.emplace_back(spec, true, next());
   }
 }
@@ -330,7 +330,7 @@ void ContactSet<dim>::save(ArchiveWriter &archive, const std::string &prefix) co
   std::vector<double>       values;
   for (const auto &r : state_.records)
   {
-    names.insert(names.end(), {r.key.pair, r.key.point, r.key.other});
+    names.insert(names.end(), {r.key.pair, r.key.point});
     values.insert(values.end(), {r.stiffness, r.tangential_stiffness, r.offset, r.depth});
     for (const Point<dim> *p : {&r.normal, &r.spring, &r.slide, &r.force})
       values.insert(values.end(), p->data(), p->data() + dim);
@@ -365,8 +365,8 @@ void ContactSet<dim>::load(const ArchiveReader &archive, const std::string &pref
   const auto     totals = archive.doubles(prefix + "/contact_totals");
   const auto     counts = archive.integers(prefix + "/contact_counts");
   constexpr auto width  = static_cast<std::size_t>(4 + 4 * dim);
-  const auto     n      = names.size() / 3;
-  if (names.size() != 3 * n || values.size() != width * n || totals.size() != 12 || counts.size() != 3)
+  const auto     n      = names.size() / 2;
+  if (names.size() != 2 * n || values.size() != width * n || totals.size() != 12 || counts.size() != 3)
     throw InputError("the checkpoint's contacts (" + prefix + ") do not belong to this scene");
 
   State state;
@@ -375,7 +375,7 @@ void ContactSet<dim>::load(const ArchiveReader &archive, const std::string &pref
   {
     auto         &r = state.records[c];
     const double *v = values.data() + width * c;
-    r.key           = {names[3 * c], names[3 * c + 1], names[3 * c + 2]};
+    r.key           = {names[2 * c], names[2 * c + 1]};
     if (r.key.pair < 0 || r.key.pair >= static_cast<std::int64_t>(pairs_.size()))
       throw InputError("the checkpoint holds a contact that the scene does not list");
     r.stiffness            = v[0];

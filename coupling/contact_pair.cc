@@ -19,6 +19,15 @@ constexpr double same_side = -.43;
 constexpr double same_face = .5;
 // ... while it is straight behind them, within 26 degrees.
 constexpr double straight = .9;
+// A node takes a face for the one it came through only if that face looks
+// against its own surface, by 120 degrees or more: nodes of flush bodies do.
+// Others, that an edge slides over, belong to the nearest face.
+constexpr double opposed = -.5;
+// Distance, in sums of radii, within which particles show their surface.
+constexpr double view = 1.75;
+// Sum of weights above which a place is covered by its surface: half of what a
+// lattice gives.
+constexpr double covered = .3;
 // Bodies drawn flush differ by rounding of their coordinates.
 constexpr double flush = 1e-6;
 
@@ -42,7 +51,7 @@ ContactPair<dim>::ContactPair(const ContactSpec &spec, bool swapped, std::int64_
   , other_party_(swapped ? spec.first_party : spec.second_party)
   , share_(spec.stiffness)
 {
-  if (point_party_ == mesh_party && other_party_ == mesh_party)
+  if (point_party_ == other_party_)
     share_ *= .5;
 }
 
@@ -110,6 +119,7 @@ void ContactPair<dim>::update(const Faces<dim> &faces, const std::vector<int> &s
       std::sort(others_.begin(), others_.end());
       others_.erase(std::unique(others_.begin(), others_.end()), others_.end());
     }
+    list_own_facets(faces, symmetry_axes);
     topology_[0] = faces[0].topology;
     topology_[1] = faces[1].topology;
     built_       = true;
@@ -131,13 +141,14 @@ void ContactPair<dim>::update(const Faces<dim> &faces, const std::vector<int> &s
   {
     const double depth = other_party_ == particle_party ? 0 : max_depth_;
     queries[q].include(positions[q]);
-    queries[q].inflate(faces.radius(point_party_, points_[q]) + depth + 2 * skin);
+    const double scale = other_party_ == particle_party ? view : 1;
+    queries[q].inflate(scale * faces.radius(point_party_, points_[q]) + depth + 2 * skin);
   }
   if (other_party_ == particle_party)
     for (const std::uint32_t i : others_)
     {
       targets.emplace_back().include(faces.position(other_party_, i));
-      targets.back().inflate(faces.radius(other_party_, i));
+      targets.back().inflate(view * faces.radius(other_party_, i));
     }
   else
     for (const auto &facet : facets_)
@@ -149,6 +160,28 @@ void ContactPair<dim>::update(const Faces<dim> &faces, const std::vector<int> &s
   list_.build(queries, targets);
   last_positions_ = positions;
   watch_.set(std::move(positions));
+}
+
+template <int dim>
+void ContactPair<dim>::list_own_facets(const Faces<dim> &faces, const std::vector<int> &symmetry_axes)
+{
+  own_facets_.clear();
+  if (point_party_ == mesh_party)
+    own_facets_ = true_facets(faces[point_party_], point_body_, symmetry_axes);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> meetings; // node, facet
+  for (std::size_t f = 0; f < own_facets_.size(); ++f)
+    for (const std::uint32_t i : own_facets_[f].node)
+      meetings.emplace_back(i, static_cast<std::uint32_t>(f));
+  std::sort(meetings.begin(), meetings.end());
+  own_.clear();
+  own_first_.assign(1, 0);
+  for (const std::uint32_t i : points_)
+  {
+    auto meeting = std::lower_bound(meetings.begin(), meetings.end(), std::pair(i, 0u));
+    for (; meeting != meetings.end() && meeting->first == i; ++meeting)
+      own_.push_back(meeting->second);
+    own_first_.push_back(own_.size());
+  }
 }
 
 template <int dim>
@@ -212,6 +245,16 @@ double ContactPair<dim>::approach(const Faces<dim> &faces, std::size_t query, co
 }
 
 template <int dim>
+Point<dim> ContactPair<dim>::own_normal(const Faces<dim> &faces, std::size_t query) const
+{
+  Point<dim> sum = Point<dim>::Zero();
+  for (std::size_t k = own_first_[query]; k < own_first_[query + 1]; ++k)
+    sum += facet_area<dim>(faces, point_party_, own_facets_[own_[k]]);
+  const double length = sum.norm();
+  return length > 0 ? Point<dim>(sum / length) : sum;
+}
+
+template <int dim>
 Stand<dim> ContactPair<dim>::lasting(const Faces<dim> &faces, std::size_t query,
                                      const Point<dim> &last_normal) const
 {
@@ -223,8 +266,9 @@ Stand<dim> ContactPair<dim>::lasting(const Faces<dim> &faces, std::size_t query,
   // Inside, near an edge: the face it came through, not the nearest one. Nodes
   // of flush bodies lie on the other's side face all the time.
   const Point<dim> p    = faces.position(point_party_, points_[query]);
+  const Point<dim> own  = own_normal(faces, query);
   const Stand<dim> same = nearest(faces, query, [&](const Foot<dim> &foot, const Facet &) {
-    return foot.normal.dot(last_normal) >= same_face &&
+    return foot.normal.dot(last_normal) >= same_face && (own.isZero() || foot.normal.dot(own) <= opposed) &&
            (foot.where - p).dot(foot.normal) >= straight * std::sqrt(foot.distance2);
   });
   return same.found ? same : stand;
@@ -258,26 +302,61 @@ template <int dim>
 void ContactPair<dim>::detect_particles(const Faces<dim> &faces, std::size_t query,
                                         std::vector<Record> &found) const
 {
-  const std::uint32_t i  = points_[query];
-  const Point<dim>    xi = faces.position(point_party_, i);
+  const std::uint32_t i      = points_[query];
+  const Point<dim>    xi     = faces.position(point_party_, i);
+  const double        own_flat = faces.normal(point_party_, i).norm();
+  Record              record;
+  double              sum    = 0;
   for (const std::uint32_t t : list_.of(query))
   {
     const std::uint32_t j     = others_[t];
     const Point<dim>    line  = xi - faces.position(other_party_, j);
-    const double        far   = line.norm();
-    const double        depth = faces.radius(point_party_, i) + faces.radius(other_party_, j) - far;
-    if (depth <= 0 || far == 0)
+    const double        touch = faces.radius(point_party_, i) + faces.radius(other_party_, j);
+    const double        reach = view * touch, far = line.norm();
+    if (far >= reach || far == 0)
       continue;
-    Record record;
-    record.key       = {index_, faces[point_party_].id[i], faces[other_party_].id[j]};
-    record.normal    = line / far;
-    record.depth     = depth;
-    record.point     = i;
-    record.n         = 1;
-    record.other[0]  = j;
-    record.weight[0] = 1;
-    found.push_back(record);
+    // A smooth surface is seen from its front, as a plane. What is none is seen
+    // as a ball, by what is none itself: else the ball meets the other's plane.
+    const Point<dim> normal = faces.normal(other_party_, j);
+    const double     flat   = normal.norm();
+    const double     flat_or_one = flat > 0 ? flat : 1;
+    const double     ball   = (1 - flat) * (1 - own_flat);
+    const double     height = normal.dot(line);
+    const double     cosine = height > 0 ? height / (flat * far) : 0;
+    const double     fade   = 1 - far * far / (reach * reach);
+    const double     plane  = flat * cosine * cosine;
+    const double     weight = fade * fade * (ball + plane);
+    if (!(weight > 0))
+      continue;
+    sum += weight;
+    record.depth += fade * fade * (plane * (touch - height / flat_or_one) + ball * (touch - far));
+    record.normal += fade * fade * (plane / flat_or_one * normal + ball / far * line);
+    int k = record.n;
+    if (record.n < Record::n_others)
+      ++record.n;
+    else
+      k = static_cast<int>(std::min_element(record.weight.begin(), record.weight.end()) - record.weight.begin());
+    if (weight > record.weight[k])
+    {
+      record.weight[k]   = weight;
+      record.other[k]    = j;
+      record.other_id[k] = faces[other_party_].id[j];
+    }
   }
+  const double length = record.normal.norm();
+  if (!(record.depth > 0) || length == 0)
+    return;
+  // Past the last plane of a surface the contact fades.
+  record.depth *= std::min(1 / sum, 1 / covered);
+  record.normal /= length;
+  double carried = 0;
+  for (const double w : record.weight)
+    carried += w;
+  for (double &w : record.weight)
+    w /= carried;
+  record.key   = {index_, faces[point_party_].id[i]};
+  record.point = i;
+  found.push_back(record);
 }
 
 template <int dim>
@@ -286,13 +365,17 @@ ContactRecord<dim> ContactPair<dim>::facet_record(const Faces<dim> &faces, std::
 {
   const std::uint32_t i = points_[query];
   Record              record;
-  record.key    = {index_, faces[point_party_].id[i], -1};
+  record.key    = {index_, faces[point_party_].id[i]};
   record.normal = stand.direction;
   record.depth  = faces.radius(point_party_, i) - stand.distance;
   record.point  = i;
   record.n      = Facet::n_nodes;
-  record.other  = facets_[stand.facet].node;
-  record.weight = stand.foot.weight;
+  for (int k = 0; k < record.n; ++k)
+  {
+    record.other[k]    = facets_[stand.facet].node[k];
+    record.other_id[k] = faces[other_party_].id[record.other[k]];
+    record.weight[k]   = stand.foot.weight[k];
+  }
   return record;
 }
 

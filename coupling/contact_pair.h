@@ -27,8 +27,7 @@ struct ContactSpec
 struct ContactKey
 {
   std::int64_t pair  = 0;
-  std::int64_t point = 0;  ///< id of the node or particle
-  std::int64_t other = -1; ///< id of the other particle, -1: a body's facets
+  std::int64_t point = 0; ///< id of the node or particle
 
   auto operator<=>(const ContactKey &) const = default;
 };
@@ -37,7 +36,9 @@ struct ContactKey
 template <int dim>
 struct ContactRecord
 {
-  static constexpr int n_others = Surface<dim>::Facet::n_nodes;
+  /// Points that can carry the other side: corners of a facet, or the
+  /// particles of a surface around the place.
+  static constexpr int n_others = dim == 3 ? 16 : dim == 2 ? 6 : 2;
 
   ContactKey key;
   double     stiffness = 0;                  ///< N/m
@@ -50,7 +51,8 @@ struct ContactRecord
 
   std::uint32_t                        point = 0;
   int                                  n     = 0; ///< points that carry the other side
-  std::array<std::uint32_t, n_others>  other{};
+  std::array<std::uint32_t, n_others>  other{};   ///< indices at the gather
+  std::array<std::int64_t, n_others>   other_id{};
   std::array<double, n_others>         weight{};
   Point<dim> force          = Point<dim>::Zero(); ///< on the point, N
   Point<dim> point_velocity = Point<dim>::Zero(); ///< at t_{n-1/2}, m/s
@@ -105,7 +107,11 @@ private:
   /// Speed at which the point goes through the facet, inwards, m/s.
   double approach(const Faces<dim> &, std::size_t query, const Foot<dim> &, const Facet &) const;
   Record facet_record(const Faces<dim> &, std::size_t query, const Stand<dim> &) const;
+  /// The point against the surface that the other side's particles span.
   void detect_particles(const Faces<dim> &, std::size_t query, std::vector<Record> &found) const;
+  /// Outward unit normal of the points' own surface at a node; zero for a particle.
+  Point<dim> own_normal(const Faces<dim> &, std::size_t query) const;
+  void list_own_facets(const Faces<dim> &, const std::vector<int> &symmetry_axes);
   std::vector<Point<dim>> all_positions(const Faces<dim> &) const;
   /// Farthest that a point and a place of the other side came together since
   /// `last_positions_`, m.
@@ -122,6 +128,9 @@ private:
 
   std::vector<std::uint32_t> points_, others_; ///< others_: particles, or facet nodes to watch
   std::vector<Facet>         facets_;
+  std::vector<Facet>         own_facets_; ///< of the points' side, where they are nodes
+  std::vector<std::size_t>   own_first_;  ///< point q: own_[own_first_[q] .. own_first_[q + 1])
+  std::vector<std::uint32_t> own_;        ///< into own_facets_
   NeighbourList<dim>         list_;
   DisplacementWatch<dim>     watch_;
   // A point farther than it and the other side can have moved since needs no

@@ -71,6 +71,23 @@ std::vector<typename Surface<dim>::Facet> true_facets(const Surface<dim> &surfac
 }
 
 template <int dim>
+Point<dim> facet_area(const Faces<dim> &faces, int party, const typename Surface<dim>::Facet &facet)
+{
+  if constexpr (dim == 1)
+    return Point<1>(facet.outward);
+  else if constexpr (dim == 2)
+  {
+    const Point<2> edge = faces.position(party, facet.node[1]) - faces.position(party, facet.node[0]);
+    return {edge[1], -edge[0]};
+  }
+  else
+  {
+    const auto x = [&](int k) { return faces.position(party, facet.node[k]); };
+    return .5 * (x(2) - x(0)).cross(x(3) - x(1));
+  }
+}
+
+template <int dim>
 double facet_size(const Surface<dim> &surface, const typename Surface<dim>::Facet &facet)
 {
   double longest = 0;
@@ -90,6 +107,7 @@ double facet_size(const Surface<dim> &surface, const typename Surface<dim>::Face
   template std::vector<std::uint32_t>                contact_points(const Surface<dim> &, int);              \
   template std::vector<typename Surface<dim>::Facet> true_facets(const Surface<dim> &, int,                  \
                                                                  const std::vector<int> &);                  \
+  template Point<dim> facet_area(const Faces<dim> &, int, const Surface<dim>::Facet &);                      \
   template double facet_size(const Surface<dim> &, const Surface<dim>::Facet &);
 OGIVE_INSTANTIATE(1)
 OGIVE_INSTANTIATE(2)

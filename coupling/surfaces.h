@@ -90,6 +90,14 @@ struct Faces
       p[a] = of[party].v[a][i];
     return p;
   }
+  /// Surface::normal of a point; zero where none is known.
+  Point<dim> normal(int party, std::uint32_t i) const
+  {
+    Point<dim> p = Point<dim>::Zero();
+    for (int a = 0; a < dim && !of[party].normal[a].empty(); ++a)
+      p[a] = of[party].normal[a][i];
+    return p;
+  }
   double radius(int party, std::uint32_t i) const
   {
     return of[party].radius.empty() ? 0 : of[party].radius[i];
@@ -117,6 +125,11 @@ std::vector<std::uint32_t> contact_points(const Surface<dim> &, int body);
 template <int dim>
 std::vector<typename Surface<dim>::Facet> true_facets(const Surface<dim> &, int body,
                                                       const std::vector<int> &symmetry_axes);
+
+/// Outward normal of a facet times its length (2-D, m) or area (3-D, m^2); 1 in
+/// one dimension.
+template <int dim>
+Point<dim> facet_area(const Faces<dim> &, int party, const typename Surface<dim>::Facet &);
 
 /// Longest edge of a facet, m; 0 in one dimension.
 template <int dim>

@@ -9,6 +9,8 @@
 #include "sph/store.h"
 #include "sph/sweep.h"
 
+#include <Eigen/Core>
+
 namespace ogive::sph
 {
 /// Amounts that prescribed motion and walls did so far, J, and the impulse that
@@ -24,7 +26,7 @@ struct Works
 
 /// Inside the solver. solver.cc: the public face; phases.cc: the phases of a
 /// step; motion.cc: kick, boundaries, drift; lists.cc: rebuild and records;
-/// images.cc: images behind rigid walls;
+/// images.cc: images behind rigid walls; surface.cc: what contact sees;
 /// state.cc: snapshots and checkpoints.
 template <int dim>
 struct Solver<dim>::Implementation
@@ -32,6 +34,8 @@ struct Solver<dim>::Implementation
   using L = Layout<dim>;
   template <class T>
   using PerAxis = std::array<T, dim>;
+  using Vector  = Eigen::Matrix<double, dim, 1>;
+  using Matrix  = Eigen::Matrix<double, dim, dim>;
 
   struct Body
   {
@@ -65,6 +69,7 @@ struct Solver<dim>::Implementation
   std::vector<std::int64_t>  near_surface; ///< kept through a rebuild's first sweep: part of the state
   std::vector<std::uint32_t> contact_points;
   AlignedVector<double>      radius;
+  PerAxis<AlignedVector<double>> normal; ///< Surface::normal
   bool                       surface_stale = true;
   std::size_t                failed        = 0; ///< particles with damage >= 1
 
@@ -120,8 +125,13 @@ struct Solver<dim>::Implementation
   void       forces();
   void       correct();
   void       energy(double kick);
-  void       find_surface();
 
+  // surface.cc
+  void   find_surface();
+  void   list_contact_points();
+  void   measure_flatness(); ///< Store::flatness, from the lists
+  void   point_normals();    ///< from the gradient sums and the flatness
+  Vector outward(std::size_t i) const; ///< unit vector out of the body, 0 where it has no side
   // motion.cc
   void       kick(const TimeStep &);
   double     landing(std::size_t i, std::size_t w, const TimeStep &, double spacing) const;
@@ -140,6 +150,16 @@ struct Solver<dim>::Implementation
   void read(const ArchiveReader &, const std::string &prefix);
 
   Culprit culprit(std::size_t i, const char *why) const;
+  /// Moment matrix -sum V_j gradW (x) x_ij of the last gradient sweep.
+  Matrix moment(std::size_t i) const
+  {
+    const double *sums = &gradient_sums[i * L::gradient_stride + L::m_sum];
+    Matrix        m;
+    for (int a = 0; a < dim; ++a)
+      for (int b = 0; b < dim; ++b)
+        m(a, b) = sums[L::sym(a, b)];
+    return m;
+  }
   double  weight(std::size_t i) const { return standard ? store.mass[i] : store.mass[i] / store.swept_density[i]; }
 };
 } // namespace ogive::sph

@@ -55,17 +55,6 @@ bool corrector(const Matrix<dim> &m, Matrix<dim> &b)
   return false;
 }
 
-template <int dim>
-Matrix<dim> moment(const double *sums)
-{
-  using L = Layout<dim>;
-  Matrix<dim> m;
-  for (int a = 0; a < dim; ++a)
-    for (int b = 0; b < dim; ++b)
-      m(a, b) = sums[L::m_sum + L::sym(a, b)];
-  return m;
-}
-
 /// Increments over dt from the gradient l at the end of the step: measured at
 /// its middle, so that a rigid turn strains nothing.
 template <int dim>
@@ -103,19 +92,19 @@ StepStatus Solver<dim>::Implementation::advance_material(double dt)
     for (std::size_t begin = body.first; begin < body.last; begin += block_size)
     {
       const std::size_t end = std::min(begin + block_size, body.last);
-      std::array<Matrix<dim>, block_size> corrected;
+      std::array<Matrix, block_size> corrected;
       for (std::size_t i = begin; i < end; ++i)
       {
         const std::size_t k    = i - begin;
         const double     *sums = &gradient_sums[i * L::gradient_stride];
-        Matrix<dim>       l;
+        Matrix       l;
         for (int a = 0; a < dim; ++a)
           for (int b = 0; b < dim; ++b)
             l(a, b) = sums[L::g_sum + a * dim + b];
         corrected[k].setIdentity();
         if (!standard)
         {
-          fallbacks += !corrector<dim>(moment<dim>(sums), corrected[k]);
+          fallbacks += !corrector<dim>(moment(i), corrected[k]);
           l = (l * corrected[k]).eval();
         }
         const Eigen::Map<const Eigen::Matrix<double, dim, 1>> normal(sums + L::normal_sum);
@@ -130,7 +119,7 @@ StepStatus Solver<dim>::Implementation::advance_material(double dt)
           middle<dim>(l, dt, k, block);
           const double rho = points.density[i];
           block.density[k] = standard ? rho + dt * sums[L::continuity_sum] :
-                                        rho * (Matrix<dim>::Identity() - dt * l).determinant();
+                                        rho * (Matrix::Identity() - dt * l).determinant();
         }
       }
       if (dt > 0)
@@ -144,7 +133,7 @@ StepStatus Solver<dim>::Implementation::advance_material(double dt)
       {
         double      *record = &force_records[i * L::force_stride];
         const Mat3   sigma  = points.stress(i).matrix();
-        Matrix<dim>  p      = sigma.template topLeftCorner<dim, dim>() * corrected[i - begin];
+        Matrix  p      = sigma.template topLeftCorner<dim, dim>() * corrected[i - begin];
         if (standard)
           p /= points.density[i] * points.density[i];
         for (int a = 0; a < dim; ++a)
@@ -245,26 +234,6 @@ void Solver<dim>::Implementation::energy(double kick)
 }
 
 template <int dim>
-void Solver<dim>::Implementation::find_surface()
-{
-  // The smallest eigenvalue of the moment matrix is 1 inside and falls near a
-  // free surface; with h = 1.3 spacings the second layer still shows.
-  constexpr double inside = .97;
-  contact_points.clear();
-  for (std::size_t i = 0; i < store.size(); ++i)
-  {
-    const Matrix<dim> m = moment<dim>(&gradient_sums[i * L::gradient_stride]);
-    Eigen::SelfAdjointEigenSolver<Matrix<dim>> solver;
-    solver.computeDirect(m, Eigen::EigenvaluesOnly);
-    near_surface[i] = !(solver.eigenvalues()[0] > inside) || store.points.damage[i] > 0;
-    if (near_surface[i])
-      contact_points.push_back(static_cast<std::uint32_t>(i));
-  }
-  surface_stale = false;
-  ++topology;
-}
-
-template <int dim>
 Culprit Solver<dim>::Implementation::culprit(std::size_t i, const char *why) const
 {
   Culprit c;
@@ -282,7 +251,6 @@ Culprit Solver<dim>::Implementation::culprit(std::size_t i, const char *why) con
   template void       Solver<d>::Implementation::forces();                                                   \
   template void       Solver<d>::Implementation::correct();                                                  \
   template void       Solver<d>::Implementation::energy(double);                                             \
-  template void       Solver<d>::Implementation::find_surface();                                             \
   template Culprit    Solver<d>::Implementation::culprit(std::size_t, const char *) const;
 OGIVE_INSTANTIATE(1)
 OGIVE_INSTANTIATE(2)

@@ -101,6 +101,7 @@ Solver<dim>::Implementation::Implementation(const Parameters &p, std::vector<Bod
   const StepStatus status = advance_material(0);
   require(status.ok, "the first state is not sound");
   find_surface();
+  point_normals();
   forces();
 }
 
@@ -138,6 +139,7 @@ StepStatus Solver<dim>::step(const TimeStep &t)
     return status;
   if (s.surface_stale)
     s.find_surface();
+  s.point_normals();
   s.forces();
   s.updates += s.store.size();
   return {};
@@ -180,6 +182,7 @@ Surface<dim> Solver<dim>::surface()
     f.x[a]     = s.store.x[a];
     f.v[a]     = s.store.v[a];
     f.force[a] = s.store.external[a];
+    f.normal[a] = s.normal[a];
   }
   f.mass           = s.store.mass;
   f.body           = s.store.body;

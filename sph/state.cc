@@ -13,10 +13,8 @@ void Solver<dim>::Implementation::follow(bool lists)
   if (lists)
     rebuild_lists();
   advance_material(0);
-  contact_points.clear();
-  for (std::size_t i = 0; i < store.size(); ++i)
-    if (near_surface[i])
-      contact_points.push_back(static_cast<std::uint32_t>(i));
+  list_contact_points();
+  point_normals();
   surface_stale = false;
   forces();
 }

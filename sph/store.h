@@ -26,6 +26,8 @@ struct Store
   AlignedVector<double>                  swept_density;  ///< density that the last gradient sweep used
   AlignedVector<double>                  viscosity_heat; ///< J/kg so far
   AlignedVector<double>                  hourglass_heat; ///< J/kg so far
+  AlignedVector<double>                  flatness; ///< length of Surface::normal, as of the last lists
+  std::array<AlignedVector<double>, dim> tilt; ///< from the gradient of the body's volume to that normal
   materials::Points                      points;
   std::vector<std::int64_t>              id;
   std::vector<std::int64_t>              fixed; ///< bit a: component a is prescribed
@@ -52,6 +54,8 @@ struct Store
     f("swept_density", swept_density);
     f("viscosity_heat", viscosity_heat);
     f("hourglass_heat", hourglass_heat);
+    f("flatness", flatness);
+    vector("tilt", tilt);
     points.for_each_array(f);
   }
 
