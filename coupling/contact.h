@@ -39,11 +39,11 @@ struct InitialOverlap
 
 /// Penalty contact with Coulomb friction between the pairs of bodies of a
 /// scene. A node or particle touches the nearest point of the other body's
-/// surface, or another particle; the force is k times the penetration along the
-/// line to that point, so the potential 1/2 k g^2 of the distance function is
-/// conservative. k = stiffness m_eff/dt_ref^2 stays as it was when the contact
-/// began. Two meshes: each one's nodes against the other's facets, at half
-/// stiffness. Friction acts at the points themselves: the couple
+/// facets, or the surface that the other's particles span; the force is k times
+/// the penetration along the line to that point, so the potential 1/2 k g^2 of
+/// the distance function is conservative. k = stiffness m_eff/dt_ref^2 stays as
+/// it was when the contact began. Two bodies of one kind: each one's points
+/// against the other's surface, at half stiffness. Friction acts at the points themselves: the couple
 /// (penetration or radius) x friction force is not taken up by rotation.
 ///
 /// A contact keeps the side it came from: facets that face away from its last

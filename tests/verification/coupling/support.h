@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "coupling/ledger.h"
+#include "coupling/model.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+/// Scenes of steel boxes and a driver that steps them.
+namespace ogive::coupling::scenes
+{
+/// Steel that stays elastic: c_L = sqrt((K + 4G/3)/rho) = 5786 m/s.
+inline input::Scene steel_scene(input::Dimension dimension)
+{
+  input::Scene          scene;
+  materials::Parameters steel;
+  steel.name             = "steel";
+  steel.density          = 7850;
+  steel.shear_modulus    = 77e9;
+  steel.eos.law          = "linear";
+  steel.eos.bulk_modulus = 160.1e9;
+  steel.strength.law     = "elastic";
+  scene.materials.push_back(steel);
+  scene.dimension = dimension;
+  scene.end_time  = 1;
+  return scene;
+}
+
+inline void add_box(input::Scene &scene, const std::string &name, input::Method method, const Vec3 &lower,
+             const Vec3 &upper, double spacing, const Vec3 &velocity)
+{
+  input::Body body;
+  body.name        = name;
+  body.material    = "steel";
+  body.method      = method;
+  body.shape.lower = lower;
+  body.shape.upper = upper;
+  body.spacing     = spacing;
+  body.velocity    = velocity;
+  scene.bodies.push_back(body);
+}
+
+template <int dim>
+struct Driver
+{
+  Model<dim> model;
+  double     time = 0, last = 0;
+
+  explicit Driver(const input::Scene &scene) : model(scene) {}
+  void step()
+  {
+    const double dt = model.stable_dt().dt;
+    ASSERT_TRUE(model.step({time, .5 * (last + dt), dt}).ok);
+    time += dt;
+    last = dt;
+  }
+};
+
+} // namespace ogive::coupling::scenes
