@@ -19,16 +19,11 @@ Vec3 spatial(const Point<dim> &p)
   return v;
 }
 
+/// Velocity of a carrier as the point sees it: of its image, if it is one.
 template <int dim>
-Point<dim> carried_velocity(const Faces<dim> &faces, Party party, const ContactRecord<dim> &record, bool moved)
+Point<dim> seen_velocity(const Faces<dim> &faces, Party party, const Carrier<dim> &carrier)
 {
-  Point<dim> v = Point<dim>::Zero();
-  for (int k = 0; k < record.n; ++k)
-  {
-    const std::uint32_t i = moved ? faces.now(party, record.other[k], record.other_id[k]) : record.other[k];
-    v += record.weight[k] * faces.velocity(party, i);
-  }
-  return v;
+  return carrier.sign.cwiseProduct(faces.velocity(party, faces.now(party, carrier.index, carrier.id)));
 }
 } // namespace
 
@@ -44,10 +39,13 @@ ContactSet<dim>::ContactSet(std::vector<ContactSpec> specs, std::vector<int> sym
   for (const auto &spec : specs)
   {
     const auto next = [&] { return static_cast<std::int64_t>(pairs_.size()); };
+    const bool particles = spec.first_party == particle_party && spec.second_party == particle_party;
     if (spec.first_party == particle_party || spec.second_party == mesh_party)
-      pairs_.emplace_back(spec, false, next());
-    if (spec.first_party == mesh_party || spec.second_party == particle_party)
-      pairs_.emplace_back(spec, true, next());
+      pairs_.emplace_back(spec, false, Meeting::surface, next());
+    if (spec.first_party == mesh_party || particles)
+      pairs_.emplace_back(spec, true, Meeting::surface, next());
+    if (particles)
+      pairs_.emplace_back(spec, false, Meeting::balls, next());
   }
 }
 
@@ -59,17 +57,17 @@ void ContactSet<dim>::start(const Faces<dim> &faces)
   {
     pair.measure(faces, symmetry_axes_);
     pair.update(faces, symmetry_axes_);
-    std::vector<Record> found;
-    pair.detect_overlaps(faces, found);
+    const std::size_t first = state_.list.records.size();
+    pair.detect_overlaps(faces, state_.list);
+    const std::span<Record> found(state_.list.records.data() + first, state_.list.records.size() - first);
     for (auto &record : found)
     {
-      begin_contact(faces, pair, record);
+      begin_contact(faces, pair, state_.list, record);
       record.offset = record.depth;
     }
     review_overlaps(faces, pair, found);
     for (auto &record : found)
       record.depth = 0;
-    state_.records.insert(state_.records.end(), found.begin(), found.end());
   }
   kept_ = state_;
 }
@@ -105,20 +103,23 @@ void ContactSet<dim>::review_overlaps(const Faces<dim> &faces, const ContactPair
 }
 
 template <int dim>
-void ContactSet<dim>::begin_contact(const Faces<dim> &faces, const ContactPair<dim> &pair,
+void ContactSet<dim>::begin_contact(const Faces<dim> &faces, const ContactPair<dim> &pair, const List &list,
                                     Record &record) const
 {
-  double inverse_mass = 1 / faces[pair.point_party()].mass[record.point];
-  for (int k = 0; k < record.n; ++k)
-    inverse_mass +=
-      record.weight[k] * record.weight[k] / faces[pair.other_party()].mass[record.other[k]];
-  record.stiffness            = penalty_stiffness(pair.share(), inverse_mass, reference_dt_);
+  record.stiffness = penalty_stiffness(pair.share(), pair.inverse_mass(faces, list, record), reference_dt_);
   record.tangential_stiffness = pair.spec().friction > 0 ? record.stiffness : 0;
 }
 
 template <int dim>
+Point<dim> ContactSet<dim>::force_on(const Carrier<dim> &carrier, const Record &record)
+{
+  const Point<dim> friction = record.tangential_stiffness * record.spring;
+  return carrier.sign.cwiseProduct(carrier.weight * friction - record.stiffness * record.depth * carrier.slope);
+}
+
+template <int dim>
 void ContactSet<dim>::continue_contact(const Faces<dim> &faces, const ContactPair<dim> &pair,
-                                       const Record *old, Record &record)
+                                       const Record *old, const List &list, Record &record)
 {
   if (old)
   {
@@ -127,12 +128,10 @@ void ContactSet<dim>::continue_contact(const Faces<dim> &faces, const ContactPai
     record.offset               = std::min(old->offset, record.depth);
   }
   else
-    begin_contact(faces, pair, record);
+    begin_contact(faces, pair, list, record);
   record.depth -= record.offset;
-  record.force = record.stiffness * record.depth * record.normal;
-
+  record.force          = record.stiffness * record.depth * record.slope;
   record.point_velocity = faces.velocity(pair.point_party(), record.point);
-  record.other_velocity = carried_velocity(faces, pair.other_party(), record, false);
 
   if (record.tangential_stiffness > 0)
   {
@@ -145,17 +144,22 @@ void ContactSet<dim>::continue_contact(const Faces<dim> &faces, const ContactPai
     else
     {
       // It has slid for as long as it took to get this deep.
-      const Point<dim> relative = record.point_velocity - record.other_velocity;
-      const double     inwards  = -relative.dot(record.normal) * state_.last_drift;
-      const double     part     = inwards > record.depth ? record.depth / inwards : 1;
-      slide                     = across<dim>(part * state_.last_drift * relative, record.normal);
+      Point<dim> relative = record.point_velocity;
+      for (const auto &carrier : list.of(record))
+        relative -= carrier.weight * seen_velocity(faces, pair.other_party(), carrier);
+      const double inwards = -relative.dot(record.normal) * state_.last_drift;
+      const double part    = inwards > record.depth ? record.depth / inwards : 1;
+      slide                = across<dim>(part * state_.last_drift * relative, record.normal);
     }
     const auto step = coulomb<dim>(spring, slide, record.tangential_stiffness,
-                                   pair.spec().friction * record.stiffness * record.depth);
+                                   pair.spec().friction * record.force.norm());
     record.spring = step.spring;
     record.force -= record.tangential_stiffness * step.spring;
     state_.energy.friction_heat += step.heat;
   }
+  for (const auto &carrier : list.of(record))
+    record.carrier_power += force_on(carrier, record)
+                              .dot(carrier.sign.cwiseProduct(seen_velocity(faces, pair.other_party(), carrier)));
 }
 
 template <int dim>
@@ -169,30 +173,30 @@ void ContactSet<dim>::end_contact(const Record &record)
 template <int dim>
 void ContactSet<dim>::gather(Faces<dim> &faces)
 {
-  std::vector<Record> records, found;
-  auto                old = state_.records.begin();
-  const auto          end = state_.records.end();
+  List       list;
+  auto       old = state_.list.records.begin();
+  const auto end = state_.list.records.end();
   for (auto &pair : pairs_)
   {
     const auto stop =
       std::find_if(old, end, [&](const Record &r) { return r.key.pair != pair.index(); });
     pair.update(faces, symmetry_axes_);
-    found.clear();
-    pair.detect(faces, {old, stop}, state_.last_drift, found, state_.lost);
-    for (auto &record : found)
+    const std::size_t first = list.records.size();
+    pair.detect(faces, {old, stop}, state_.last_drift, list, state_.lost);
+    for (std::size_t k = first; k < list.records.size(); ++k)
     {
+      Record &record = list.records[k];
       for (; old != stop && old->key < record.key; ++old)
         end_contact(*old);
       const bool lasts = old != stop && old->key == record.key;
-      continue_contact(faces, pair, lasts ? &*old : nullptr, record);
+      continue_contact(faces, pair, lasts ? &*old : nullptr, list, record);
       if (lasts)
         ++old;
     }
     for (; old != stop; ++old)
       end_contact(*old);
-    records.insert(records.end(), found.begin(), found.end());
   }
-  state_.records = std::move(records);
+  state_.list = std::move(list);
   add_forces(faces);
   limit_step(faces);
 }
@@ -200,19 +204,22 @@ void ContactSet<dim>::gather(Faces<dim> &faces)
 template <int dim>
 void ContactSet<dim>::add_forces(Faces<dim> &faces) const
 {
-  for (const auto &record : state_.records)
+  for (const auto &record : state_.list.records)
   {
     const auto &pair = pairs_[record.key.pair];
     faces.add_force(pair.point_party(), record.point, record.force);
-    // The last corner takes what is left, so the sum is the reaction to the bit.
-    Point<dim> rest = -record.force;
-    for (int k = 0; k + 1 < record.n; ++k)
+    // Without images the last carrier takes what is left, so the sum is the
+    // reaction to the bit.
+    Point<dim>   rest    = -record.force;
+    const auto   carried = state_.list.of(record);
+    const bool   images  = std::any_of(carried.begin(), carried.end(),
+                                       [](const auto &c) { return c.sign != Point<dim>::Ones(); });
+    for (std::size_t k = 0; k < carried.size(); ++k)
     {
-      const Point<dim> share = -record.weight[k] * record.force;
-      faces.add_force(pair.other_party(), record.other[k], share);
+      const Point<dim> share = k + 1 < carried.size() || images ? force_on(carried[k], record) : rest;
+      faces.add_force(pair.other_party(), carried[k].index, share);
       rest -= share;
     }
-    faces.add_force(pair.other_party(), record.other[record.n - 1], rest);
   }
 }
 
@@ -220,10 +227,10 @@ template <int dim>
 void ContactSet<dim>::limit_step(const Faces<dim> &faces)
 {
   state_.limit = {};
-  if (state_.records.empty())
+  if (state_.list.records.empty())
     return;
-  // With K = sum k g g^T, g = (1, -w_I), the row of a point in M^-1 K sums to
-  // sum k |g| (1 + sum w_I)/m = sum 2 k |g|/m.
+  // With K = sum k g g^T, g = (s, -s_I), s = sum s_I, the row of a point in
+  // M^-1 K sums to sum k |g| (|s| + sum |s_I|)/m; over facets |s| = 1, s_I = w_I.
   struct Row
   {
     int           party;
@@ -232,15 +239,19 @@ void ContactSet<dim>::limit_step(const Faces<dim> &faces)
     auto          place() const { return std::pair(party, point); }
   };
   std::vector<Row> rows;
-  for (const auto &record : state_.records)
+  for (const auto &record : state_.list.records)
   {
-    const auto &pair = pairs_[record.key.pair];
-    const auto  row  = [&](int party, std::uint32_t i, double weight) {
-      rows.push_back({party, i, 2 * record.stiffness * weight / faces[party].mass[i]});
+    const auto &pair  = pairs_[record.key.pair];
+    const double own  = record.slope.norm();
+    double       size = own;
+    for (const auto &carrier : state_.list.of(record))
+      size += carrier.slope.norm();
+    const auto row = [&](int party, std::uint32_t i, double slope) {
+      rows.push_back({party, i, size * record.stiffness * slope / faces[party].mass[i]});
     };
-    row(pair.point_party(), record.point, 1);
-    for (int k = 0; k < record.n; ++k)
-      row(pair.other_party(), record.other[k], record.weight[k]);
+    row(pair.point_party(), record.point, own);
+    for (const auto &carrier : state_.list.of(record))
+      row(pair.other_party(), carrier.index, carrier.slope.norm());
   }
   std::stable_sort(rows.begin(), rows.end(),
                    [](const Row &a, const Row &b) { return a.place() < b.place(); });
@@ -270,23 +281,33 @@ void ContactSet<dim>::close(const Faces<dim> &faces, const TimeStep &step)
   auto &energy  = state_.energy;
   energy.stored = 0;
   state_.last_drift = step.drift;
-  for (auto &record : state_.records)
+  for (auto &record : state_.list.records)
   {
     const auto      &pair = pairs_[record.key.pair];
     const Point<dim> point =
       faces.velocity(pair.point_party(), faces.now(pair.point_party(), record.point, record.key.point));
-    const Point<dim> other    = carried_velocity(faces, pair.other_party(), record, true);
-    const Point<dim> relative = point - other;
+    Point<dim> other = Point<dim>::Zero(), force = record.force;
+    double     closing = 0, power = record.carrier_power;
+    for (const auto &carrier : state_.list.of(record))
+    {
+      const Point<dim> seen = seen_velocity(faces, pair.other_party(), carrier), on = force_on(carrier, record);
+      other += carrier.weight * seen;
+      closing -= carrier.slope.dot(point - seen);
+      power += on.dot(carrier.sign.cwiseProduct(seen));
+      force += on;
+    }
+    if (std::any_of(symmetry_axes_.begin(), symmetry_axes_.end(), [](int axis) { return axis < dim; }))
+      state_.plane_impulse += step.kick * force;
 
     const double on_point = .5 * step.kick * record.force.dot(point + record.point_velocity);
-    const double on_other = -.5 * step.kick * record.force.dot(other + record.other_velocity);
+    const double on_other = .5 * step.kick * power;
     energy.work[pair.point_party()] += on_point;
     energy.work[pair.other_party()] += on_other;
     energy.taken -= on_point + on_other;
     state_.impulse += step.kick * record.force.norm();
 
-    record.slide      = step.drift * relative;
-    const double next = record.depth - record.slide.dot(record.normal);
+    record.slide      = step.drift * (point - other);
+    const double next = record.depth + step.drift * closing;
     energy.stored += .5 * record.stiffness * record.depth * std::max(0., next);
     energy.stored += .5 * record.tangential_stiffness *
                      record.spring.dot(record.spring + across<dim>(record.slide, record.normal));
@@ -304,7 +325,7 @@ void ContactSet<dim>::restore()
 template <int dim>
 std::size_t ContactSet<dim>::active() const
 {
-  return static_cast<std::size_t>(std::count_if(state_.records.begin(), state_.records.end(),
+  return static_cast<std::size_t>(std::count_if(state_.list.records.begin(), state_.list.records.end(),
                                                 [](const Record &r) { return r.depth > 0; }));
 }
 
@@ -312,7 +333,7 @@ template <int dim>
 Vec3 ContactSet<dim>::force(int a, int b) const
 {
   Vec3 sum = Vec3::Zero();
-  for (const auto &record : state_.records)
+  for (const auto &record : state_.list.records)
   {
     const auto &pair = pairs_[record.key.pair];
     if (pair.point_body() == a && pair.other_body() == b)
@@ -328,9 +349,9 @@ void ContactSet<dim>::save(ArchiveWriter &archive, const std::string &prefix) co
 {
   std::vector<std::int64_t> names;
   std::vector<double>       values;
-  for (const auto &r : state_.records)
+  for (const auto &r : state_.list.records)
   {
-    names.insert(names.end(), {r.key.pair, r.key.point});
+    names.insert(names.end(), {r.key.pair, r.key.point, r.key.other});
     values.insert(values.end(), {r.stiffness, r.tangential_stiffness, r.offset, r.depth});
     for (const Point<dim> *p : {&r.normal, &r.spring, &r.slide, &r.force})
       values.insert(values.end(), p->data(), p->data() + dim);
@@ -354,6 +375,8 @@ void ContactSet<dim>::save(ArchiveWriter &archive, const std::string &prefix) co
                                      limit.culprit.where[2]};
   const std::vector<std::int64_t> counts{state_.lost, limit.culprit.body, limit.culprit.id};
   archive.write(prefix + "/contact_totals", totals);
+  archive.write(prefix + "/contact_plane_impulse",
+                std::span<const double>(state_.plane_impulse.data(), static_cast<std::size_t>(dim)));
   archive.write(prefix + "/contact_counts", counts);
 }
 
@@ -365,17 +388,17 @@ void ContactSet<dim>::load(const ArchiveReader &archive, const std::string &pref
   const auto     totals = archive.doubles(prefix + "/contact_totals");
   const auto     counts = archive.integers(prefix + "/contact_counts");
   constexpr auto width  = static_cast<std::size_t>(4 + 4 * dim);
-  const auto     n      = names.size() / 2;
-  if (names.size() != 2 * n || values.size() != width * n || totals.size() != 12 || counts.size() != 3)
+  const auto     n      = names.size() / 3;
+  if (names.size() != 3 * n || values.size() != width * n || totals.size() != 12 || counts.size() != 3)
     throw InputError("the checkpoint's contacts (" + prefix + ") do not belong to this scene");
 
   State state;
-  state.records.resize(n);
+  state.list.records.resize(n);
   for (std::size_t c = 0; c < n; ++c)
   {
-    auto         &r = state.records[c];
+    auto         &r = state.list.records[c];
     const double *v = values.data() + width * c;
-    r.key           = {names[2 * c], names[2 * c + 1]};
+    r.key           = {names[3 * c], names[3 * c + 1], names[3 * c + 2]};
     if (r.key.pair < 0 || r.key.pair >= static_cast<std::int64_t>(pairs_.size()))
       throw InputError("the checkpoint holds a contact that the scene does not list");
     r.stiffness            = v[0];
@@ -394,6 +417,10 @@ void ContactSet<dim>::load(const ArchiveReader &archive, const std::string &pref
   reference_dt_       = totals[6];
   state.last_drift    = totals[7];
   state.limit.dt      = totals[8];
+  const auto planes   = archive.doubles(prefix + "/contact_plane_impulse");
+  if (planes.size() != static_cast<std::size_t>(dim))
+    throw InputError("the checkpoint's contacts (" + prefix + ") do not belong to this scene");
+  state.plane_impulse = Eigen::Map<const Point<dim>>(planes.data());
   state.lost          = counts[0];
   state.limit.culprit = {"contact", static_cast<int>(counts[1]), counts[2],
                          Vec3(totals[9], totals[10], totals[11]),

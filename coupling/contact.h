@@ -83,6 +83,9 @@ public:
   /// Sum of |force| kick over all contacts and steps, N s: the scale for momentum.
   double impulse() const { return state_.impulse; }
 
+  /// Given by the symmetry planes to the bodies through contact, N s.
+  Point<dim> plane_impulse() const { return state_.plane_impulse; }
+
   void snapshot() { kept_ = state_; }
   void restore();
   void save(ArchiveWriter &, const std::string &prefix) const;
@@ -90,19 +93,23 @@ public:
 
 private:
   using Record = ContactRecord<dim>;
+  using List   = ContactList<dim>;
   struct State
   {
-    std::vector<Record> records; ///< by ascending key
+    List                list;
     ContactEnergy       energy;
     double              impulse    = 0;
     double              last_drift = 0;
+    Point<dim>          plane_impulse = Point<dim>::Zero();
     std::int64_t        lost       = 0;
     StepLimit           limit;
   };
 
   /// Gives a contact found now its lasting properties and its force.
-  void continue_contact(const Faces<dim> &, const ContactPair<dim> &, const Record *old, Record &);
-  void begin_contact(const Faces<dim> &, const ContactPair<dim> &, Record &) const;
+  void continue_contact(const Faces<dim> &, const ContactPair<dim> &, const Record *old, const List &, Record &);
+  void begin_contact(const Faces<dim> &, const ContactPair<dim> &, const List &, Record &) const;
+  /// Force on a carrier of a contact, N.
+  static Point<dim> force_on(const Carrier<dim> &, const Record &);
   /// What the springs of a contact that has opened still hold becomes heat.
   void end_contact(const Record &);
   void add_forces(Faces<dim> &) const;

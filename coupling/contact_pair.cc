@@ -19,15 +19,10 @@ constexpr double same_side = -.43;
 constexpr double same_face = .5;
 // ... while it is straight behind them, within 26 degrees.
 constexpr double straight = .9;
-// A node takes a face for the one it came through only if that face looks
-// against its own surface, by 120 degrees or more: nodes of flush bodies do.
-// Others, that an edge slides over, belong to the nearest face.
-constexpr double opposed = -.5;
-// Distance, in sums of radii, within which particles show their surface.
-constexpr double view = 1.75;
-// Sum of weights above which a place is covered by its surface: half of what a
-// lattice gives.
-constexpr double covered = .3;
+// A face that looks the same way as a node's own surface, within about 70
+// degrees, is none that the node can have come through: the side of a body
+// drawn flush, the far side of a thin one.
+constexpr double alike = .3;
 // Bodies drawn flush differ by rounding of their coordinates.
 constexpr double flush = 1e-6;
 
@@ -42,8 +37,9 @@ double largest_radius(const Faces<dim> &faces, int party, const std::vector<std:
 } // namespace
 
 template <int dim>
-ContactPair<dim>::ContactPair(const ContactSpec &spec, bool swapped, std::int64_t index)
+ContactPair<dim>::ContactPair(const ContactSpec &spec, bool swapped, Meeting meeting, std::int64_t index)
   : spec_(spec)
+  , meeting_(meeting)
   , index_(index)
   , point_body_(swapped ? spec.second : spec.first)
   , other_body_(swapped ? spec.first : spec.second)
@@ -51,7 +47,7 @@ ContactPair<dim>::ContactPair(const ContactSpec &spec, bool swapped, std::int64_
   , other_party_(swapped ? spec.first_party : spec.second_party)
   , share_(spec.stiffness)
 {
-  if (point_party_ == other_party_)
+  if (point_party_ == other_party_ && meeting == Meeting::surface)
     share_ *= .5;
 }
 
@@ -63,6 +59,8 @@ void ContactPair<dim>::measure(const Faces<dim> &faces, const std::vector<int> &
   if (other_party_ == particle_party)
   {
     size_ = 2 * largest_radius(faces, other_party_, contact_points(faces[other_party_], other_body_));
+    if (size_ > 0)
+      field_ = ParticleField<dim>(.5 * (point_size + size_), size_);
   }
   else
   {
@@ -104,12 +102,13 @@ std::vector<Point<dim>> ContactPair<dim>::all_positions(const Faces<dim> &faces)
 template <int dim>
 void ContactPair<dim>::update(const Faces<dim> &faces, const std::vector<int> &symmetry_axes)
 {
+  symmetry_axes_         = symmetry_axes;
   const bool moved_house = !built_ || topology_[0] != faces[0].topology || topology_[1] != faces[1].topology;
   if (moved_house)
   {
     points_ = contact_points(faces[point_party_], point_body_);
     if (other_party_ == particle_party)
-      others_ = contact_points(faces[other_party_], other_body_);
+      others_ = body_points(faces[other_party_], other_body_);
     else
     {
       facets_ = true_facets(faces[other_party_], other_body_, symmetry_axes);
@@ -139,17 +138,15 @@ void ContactPair<dim>::update(const Faces<dim> &faces, const std::vector<int> &s
   std::vector<Box<dim>> queries(points_.size()), targets;
   for (std::size_t q = 0; q < points_.size(); ++q)
   {
-    const double depth = other_party_ == particle_party ? 0 : max_depth_;
+    const double reach = other_party_ == mesh_party     ? faces.radius(point_party_, points_[q]) + max_depth_ :
+                         meeting_ == Meeting::balls ? ball_share * size_ :
+                                                      field_.reach();
     queries[q].include(positions[q]);
-    const double scale = other_party_ == particle_party ? view : 1;
-    queries[q].inflate(scale * faces.radius(point_party_, points_[q]) + depth + 2 * skin);
+    queries[q].inflate(reach + 2 * skin);
   }
   if (other_party_ == particle_party)
     for (const std::uint32_t i : others_)
-    {
       targets.emplace_back().include(faces.position(other_party_, i));
-      targets.back().inflate(view * faces.radius(other_party_, i));
-    }
   else
     for (const auto &facet : facets_)
     {
@@ -255,20 +252,32 @@ Point<dim> ContactPair<dim>::own_normal(const Faces<dim> &faces, std::size_t que
 }
 
 template <int dim>
+Stand<dim> ContactPair<dim>::came_through(const Faces<dim> &faces, std::size_t query, const Stand<dim> &nearest_one,
+                                          const Point<dim> &own, const Point<dim> *last_normal) const
+{
+  const Stand<dim> found = nearest(faces, query, [&](const Foot<dim> &foot, const Facet &) {
+    return foot.normal.dot(own) <= alike && (!last_normal || foot.normal.dot(*last_normal) >= same_side);
+  });
+  return found.found ? found : nearest_one;
+}
+
+template <int dim>
 Stand<dim> ContactPair<dim>::lasting(const Faces<dim> &faces, std::size_t query,
                                      const Point<dim> &last_normal) const
 {
-  Stand<dim> stand = nearest(faces, query, [&](const Foot<dim> &foot, const Facet &) {
+  const Stand<dim> stand = nearest(faces, query, [&](const Foot<dim> &foot, const Facet &) {
     return foot.normal.dot(last_normal) >= same_side;
   });
   if (!stand.found || stand.distance >= flush * half_spacing_)
     return stand;
-  // Inside, near an edge: the face it came through, not the nearest one. Nodes
-  // of flush bodies lie on the other's side face all the time.
+  const Point<dim> own = own_normal(faces, query);
+  if (!own.isZero())
+    return came_through(faces, query, stand, own, &last_normal);
+  // A lone point has no side of its own. Inside, near an edge, it keeps to the
+  // face that it came through.
   const Point<dim> p    = faces.position(point_party_, points_[query]);
-  const Point<dim> own  = own_normal(faces, query);
   const Stand<dim> same = nearest(faces, query, [&](const Foot<dim> &foot, const Facet &) {
-    return foot.normal.dot(last_normal) >= same_face && (own.isZero() || foot.normal.dot(own) <= opposed) &&
+    return foot.normal.dot(last_normal) >= same_face &&
            (foot.where - p).dot(foot.normal) >= straight * std::sqrt(foot.distance2);
   });
   return same.found ? same : stand;
@@ -282,9 +291,12 @@ Stand<dim> ContactPair<dim>::entering(const Faces<dim> &faces, std::size_t query
   const Stand<dim> stand = nearest(faces, query, [](const Foot<dim> &, const Facet &) { return true; });
   if (!stand.found || stand.distance >= std::max(r, tolerance) || (stand.distance >= 0 && r > 0))
     return stand;
+  const Point<dim> own = own_normal(faces, query);
+  if (!own.isZero())
+    return came_through(faces, query, stand, own, nullptr);
 
-  // A point that is suddenly inside came through a facet during the last step;
-  // near an edge, or in a thin body, that need not be the nearest one.
+  // A lone point that is suddenly inside came through a facet during the last
+  // step; near an edge, or in a thin body, that need not be the nearest one.
   const Point<dim> p       = faces.position(point_party_, points_[query]);
   const Stand<dim> crossed = nearest(faces, query, [&](const Foot<dim> &foot, const Facet &facet) {
     const double depth = (foot.where - p).dot(foot.normal);
@@ -299,89 +311,117 @@ Stand<dim> ContactPair<dim>::entering(const Faces<dim> &faces, std::size_t query
 }
 
 template <int dim>
-void ContactPair<dim>::detect_particles(const Faces<dim> &faces, std::size_t query,
-                                        std::vector<Record> &found) const
+void ContactPair<dim>::detect_balls(const Faces<dim> &faces, std::size_t query, List &found) const
 {
-  const std::uint32_t i      = points_[query];
-  const Point<dim>    xi     = faces.position(point_party_, i);
-  const double        own_flat = faces.normal(point_party_, i).norm();
-  Record              record;
-  double              sum    = 0;
+  const std::uint32_t i  = points_[query];
+  const Point<dim>    xi = faces.position(point_party_, i);
   for (const std::uint32_t t : list_.of(query))
   {
     const std::uint32_t j     = others_[t];
     const Point<dim>    line  = xi - faces.position(other_party_, j);
-    const double        touch = faces.radius(point_party_, i) + faces.radius(other_party_, j);
-    const double        reach = view * touch, far = line.norm();
-    if (far >= reach || far == 0)
+    const double        far   = line.norm();
+    const double        touch = ball_share * (faces.radius(point_party_, i) + faces.radius(other_party_, j));
+    if (far >= touch || far == 0)
       continue;
-    // A smooth surface is seen from its front, as a plane. What is none is seen
-    // as a ball, by what is none itself: else the ball meets the other's plane.
-    const Point<dim> normal = faces.normal(other_party_, j);
-    const double     flat   = normal.norm();
-    const double     flat_or_one = flat > 0 ? flat : 1;
-    const double     ball   = (1 - flat) * (1 - own_flat);
-    const double     height = normal.dot(line);
-    const double     cosine = height > 0 ? height / (flat * far) : 0;
-    const double     fade   = 1 - far * far / (reach * reach);
-    const double     plane  = flat * cosine * cosine;
-    const double     weight = fade * fade * (ball + plane);
-    if (!(weight > 0))
-      continue;
-    sum += weight;
-    record.depth += fade * fade * (plane * (touch - height / flat_or_one) + ball * (touch - far));
-    record.normal += fade * fade * (plane / flat_or_one * normal + ball / far * line);
-    int k = record.n;
-    if (record.n < Record::n_others)
-      ++record.n;
-    else
-      k = static_cast<int>(std::min_element(record.weight.begin(), record.weight.end()) - record.weight.begin());
-    if (weight > record.weight[k])
-    {
-      record.weight[k]   = weight;
-      record.other[k]    = j;
-      record.other_id[k] = faces[other_party_].id[j];
-    }
+    Record record;
+    record.key   = {index_, faces[point_party_].id[i], faces[other_party_].id[j]};
+    record.slope = record.normal = line / far;
+    record.depth = touch - far;
+    record.point = i;
+    record.first = static_cast<std::uint32_t>(found.carriers.size());
+    found.carriers.push_back({j, record.key.other, 1, record.slope, Point<dim>::Ones()});
+    record.last = record.first + 1;
+    found.records.push_back(record);
   }
-  const double length = record.normal.norm();
-  if (!(record.depth > 0) || length == 0)
-    return;
-  // Past the last plane of a surface the contact fades.
-  record.depth *= std::min(1 / sum, 1 / covered);
-  record.normal /= length;
-  double carried = 0;
-  for (const double w : record.weight)
-    carried += w;
-  for (double &w : record.weight)
-    w /= carried;
-  record.key   = {index_, faces[point_party_].id[i]};
-  record.point = i;
-  found.push_back(record);
 }
 
 template <int dim>
-ContactRecord<dim> ContactPair<dim>::facet_record(const Faces<dim> &faces, std::size_t query,
-                                                  const Stand<dim> &stand) const
+void ContactPair<dim>::detect_particles(const Faces<dim> &faces, std::size_t query, List &found) const
+{
+  const std::uint32_t i  = points_[query];
+  const Point<dim>    xi = faces.position(point_party_, i);
+  Record              record;
+  double              psi = 0;
+  record.first            = static_cast<std::uint32_t>(found.carriers.size());
+  const unsigned images   = 1u << symmetry_axes_.size();
+  for (const std::uint32_t t : list_.of(query))
+    for (unsigned image = 0; image < images; ++image)
+    {
+      Carrier<dim> carrier;
+      for (std::size_t k = 0; k < symmetry_axes_.size(); ++k)
+        if (image >> k & 1)
+          carrier.sign[symmetry_axes_[k]] = -1;
+      carrier.index         = others_[t];
+      const Point<dim> line = xi - carrier.sign.cwiseProduct(faces.position(other_party_, carrier.index));
+      const double     r    = line.norm();
+      if (r >= field_.reach())
+        continue;
+      carrier.id     = faces[other_party_].id[carrier.index];
+      carrier.weight = field_.weight(r);
+      psi += carrier.weight;
+      if (r > 0)
+        carrier.slope = field_.slope(r) / r * line;
+      record.slope += carrier.slope;
+      found.carriers.push_back(carrier);
+    }
+  record.depth        = field_.depth(psi);
+  const double length = record.slope.norm();
+  if (!(record.depth > 0) || length == 0)
+  {
+    found.carriers.resize(record.first);
+    return;
+  }
+  record.normal = record.slope / length;
+  record.last   = static_cast<std::uint32_t>(found.carriers.size());
+  for (std::size_t k = record.first; k < record.last; ++k)
+    found.carriers[k].weight /= psi;
+  record.key   = {index_, faces[point_party_].id[i], -1};
+  record.point = i;
+  found.records.push_back(record);
+}
+
+template <int dim>
+void ContactPair<dim>::add_facet(const Faces<dim> &faces, std::size_t query, const Stand<dim> &stand,
+                                 List &found) const
 {
   const std::uint32_t i = points_[query];
   Record              record;
-  record.key    = {index_, faces[point_party_].id[i]};
-  record.normal = stand.direction;
+  record.key    = {index_, faces[point_party_].id[i], -1};
+  record.slope = record.normal = stand.direction;
   record.depth  = faces.radius(point_party_, i) - stand.distance;
   record.point  = i;
-  record.n      = Facet::n_nodes;
-  for (int k = 0; k < record.n; ++k)
+  record.first  = static_cast<std::uint32_t>(found.carriers.size());
+  for (int k = 0; k < Facet::n_nodes; ++k)
   {
-    record.other[k]    = facets_[stand.facet].node[k];
-    record.other_id[k] = faces[other_party_].id[record.other[k]];
-    record.weight[k]   = stand.foot.weight[k];
+    Carrier<dim> &carrier = found.carriers.emplace_back();
+    carrier.index         = facets_[stand.facet].node[k];
+    carrier.id            = faces[other_party_].id[carrier.index];
+    carrier.weight        = stand.foot.weight[k];
+    carrier.slope         = carrier.weight * record.slope;
   }
-  return record;
+  record.last = static_cast<std::uint32_t>(found.carriers.size());
+  found.records.push_back(record);
+}
+
+template <int dim>
+double ContactPair<dim>::inverse_mass(const Faces<dim> &faces, const List &list, const Record &record) const
+{
+  const double own     = 1 / faces[point_party_].mass[record.point];
+  const auto  &masses  = faces[other_party_].mass;
+  const auto   carried = list.of(record);
+  // The field's stiffness must not depend on where the contact began, or the
+  // force would have no potential: that of the point over a lattice.
+  if (other_party_ == particle_party && meeting_ == Meeting::surface)
+    return own + field_.sum_of_squares() / masses[carried.front().index];
+  double sum = own;
+  for (const auto &carrier : carried)
+    sum += carrier.weight * carrier.weight / masses[carrier.index];
+  return sum;
 }
 
 template <int dim>
 void ContactPair<dim>::detect(const Faces<dim> &faces, std::span<const Record> old, double last_drift,
-                              std::vector<Record> &found, std::int64_t &lost) const
+                              List &found, std::int64_t &lost) const
 {
   std::size_t o = 0;
   for (std::size_t q = 0; q < points_.size(); ++q)
@@ -390,7 +430,7 @@ void ContactPair<dim>::detect(const Faces<dim> &faces, std::span<const Record> o
       continue;
     if (other_party_ == particle_party)
     {
-      detect_particles(faces, q, found);
+      meeting_ == Meeting::balls ? detect_balls(faces, q, found) : detect_particles(faces, q, found);
       continue;
     }
     const std::int64_t id = faces[point_party_].id[points_[q]];
@@ -409,21 +449,21 @@ void ContactPair<dim>::detect(const Faces<dim> &faces, std::span<const Record> o
     if (-stand.distance > max_depth_)
       lost += lasts;
     else
-      found.push_back(facet_record(faces, q, stand));
+      add_facet(faces, q, stand, found);
   }
 }
 
 template <int dim>
-void ContactPair<dim>::detect_overlaps(const Faces<dim> &faces, std::vector<Record> &found) const
+void ContactPair<dim>::detect_overlaps(const Faces<dim> &faces, List &found) const
 {
   for (std::size_t q = 0; q < points_.size(); ++q)
     if (other_party_ == particle_party)
-      detect_particles(faces, q, found);
+      meeting_ == Meeting::balls ? detect_balls(faces, q, found) : detect_particles(faces, q, found);
     else
     {
       const auto stand = nearest(faces, q, [](const Foot<dim> &, const Facet &) { return true; });
       if (stand.found && stand.distance < faces.radius(point_party_, points_[q]))
-        found.push_back(facet_record(faces, q, stand));
+        add_facet(faces, q, stand, found);
     }
 }
 

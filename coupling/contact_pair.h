@@ -2,6 +2,7 @@
 #pragma once
 
 #include "coupling/contact_geometry.h"
+#include "coupling/particle_field.h"
 #include "coupling/search.h"
 #include "coupling/surfaces.h"
 
@@ -27,37 +28,76 @@ struct ContactSpec
 struct ContactKey
 {
   std::int64_t pair  = 0;
-  std::int64_t point = 0; ///< id of the node or particle
+  std::int64_t point = 0;  ///< id of the node or particle
+  std::int64_t other = -1; ///< id of the other particle where two meet as balls
 
   auto operator<=>(const ContactKey &) const = default;
+};
+
+/// A point of the other side that carries a share of a contact.
+template <int dim>
+struct Carrier
+{
+  std::uint32_t index = 0;  ///< at the gather
+  std::int64_t  id    = 0;
+  double        weight = 0; ///< of its velocity and of friction, sum 1
+  /// How fast the depth grows as the point comes nearer to this carrier: force
+  /// on the point k depth slope, on the carrier minus that.
+  Point<dim> slope = Point<dim>::Zero();
+  Point<dim> sign  = Point<dim>::Ones(); ///< -1: seen as its image in a symmetry plane
 };
 
 /// A contact that lasts, and what it did in the present step.
 template <int dim>
 struct ContactRecord
 {
-  /// Points that can carry the other side: corners of a facet, or the
-  /// particles of a surface around the place.
-  static constexpr int n_others = dim == 3 ? 16 : dim == 2 ? 6 : 2;
-
   ContactKey key;
   double     stiffness = 0;                  ///< N/m
   double     offset    = 0;                  ///< penetration that counts as none, m
-  Point<dim> normal    = Point<dim>::Zero(); ///< unit, pushes the point
+  Point<dim> slope     = Point<dim>::Zero(); ///< sum of the carriers', 1 over facets
+  Point<dim> normal    = Point<dim>::Zero(); ///< its direction, pushes the point
   Point<dim> spring    = Point<dim>::Zero(); ///< tangential, m
   Point<dim> slide     = Point<dim>::Zero(); ///< relative motion over the last drift, m
   double     depth     = 0;                  ///< penetration less offset, m, at t_n
   double     tangential_stiffness = 0;       ///< 0 without friction
 
-  std::uint32_t                        point = 0;
-  int                                  n     = 0; ///< points that carry the other side
-  std::array<std::uint32_t, n_others>  other{};   ///< indices at the gather
-  std::array<std::int64_t, n_others>   other_id{};
-  std::array<double, n_others>         weight{};
-  Point<dim> force          = Point<dim>::Zero(); ///< on the point, N
-  Point<dim> point_velocity = Point<dim>::Zero(); ///< at t_{n-1/2}, m/s
-  Point<dim> other_velocity = Point<dim>::Zero();
+  std::uint32_t point = 0;
+  std::uint32_t first = 0, last = 0;         ///< carriers of it in ContactList
+  Point<dim>    force = Point<dim>::Zero();  ///< on the point, N
+  Point<dim>    point_velocity = Point<dim>::Zero(); ///< at t_{n-1/2}, m/s
+  double        carrier_power  = 0;          ///< of the forces on the carriers then, W
 };
+
+/// Contacts by ascending key, and what carries them.
+template <int dim>
+struct ContactList
+{
+  std::vector<ContactRecord<dim>> records;
+  std::vector<Carrier<dim>>       carriers;
+
+  std::span<const Carrier<dim>> of(const ContactRecord<dim> &r) const
+  {
+    return {carriers.data() + r.first, r.last - r.first};
+  }
+  void clear()
+  {
+    records.clear();
+    carriers.clear();
+  }
+};
+
+/// How the points of one body meet another body.
+enum class Meeting
+{
+  surface, ///< its facets, or the field of its particles
+  balls    ///< its particles one by one, as balls of ball_share their radius
+};
+
+/// Lone particles and thin jets hardly show in the field of their body: what
+/// comes closer than this share of the sum of radii meets them as balls. Less
+/// than 1, so that a lattice pressed by less than .3 of its spacing has no
+/// cobbles.
+inline constexpr double ball_share = .7;
 
 /// Geometry of one direction of one contact: points of one body against the
 /// facets or particles of another. Holds nothing that a restart would miss.
@@ -67,9 +107,10 @@ class ContactPair
 public:
   using Facet  = typename Surface<dim>::Facet;
   using Record = ContactRecord<dim>;
+  using List   = ContactList<dim>;
 
   /// `swapped`: the second body's points against the first body's surface.
-  ContactPair(const ContactSpec &spec, bool swapped, std::int64_t index);
+  ContactPair(const ContactSpec &spec, bool swapped, Meeting, std::int64_t index);
 
   const ContactSpec &spec() const { return spec_; }
   std::int64_t       index() const { return index_; }
@@ -94,22 +135,30 @@ public:
   /// `old` (this pair's records, ascending) tell from which side a point came.
   /// `last_drift`: length of the step that led here, s.
   void detect(const Faces<dim> &, std::span<const Record> old, double last_drift,
-              std::vector<Record> &found, std::int64_t &lost) const;
+              List &found, std::int64_t &lost) const;
   /// Every overlap as it stands, for the start.
-  void detect_overlaps(const Faces<dim> &, std::vector<Record> &found) const;
+  void detect_overlaps(const Faces<dim> &, List &found) const;
+  /// 1/m_eff of a contact found now, 1/kg.
+  double inverse_mass(const Faces<dim> &, const List &, const Record &) const;
 
 private:
   /// The nearest of the candidate facets whose feet `accept` lets pass.
   template <class Accept>
   Stand<dim> nearest(const Faces<dim> &, std::size_t query, const Accept &accept) const;
   Stand<dim> lasting(const Faces<dim> &, std::size_t query, const Point<dim> &last_normal) const;
+  /// For a node inside, or on a face: the nearest facet that does not look the
+  /// same way as the node's own surface.
+  Stand<dim> came_through(const Faces<dim> &, std::size_t query, const Stand<dim> &nearest_one,
+                          const Point<dim> &own, const Point<dim> *last_normal) const;
   Stand<dim> entering(const Faces<dim> &, std::size_t query, double last_drift) const;
   /// Speed at which the point goes through the facet, inwards, m/s.
   double approach(const Faces<dim> &, std::size_t query, const Foot<dim> &, const Facet &) const;
-  Record facet_record(const Faces<dim> &, std::size_t query, const Stand<dim> &) const;
-  /// The point against the surface that the other side's particles span.
-  void detect_particles(const Faces<dim> &, std::size_t query, std::vector<Record> &found) const;
-  /// Outward unit normal of the points' own surface at a node; zero for a particle.
+  void add_facet(const Faces<dim> &, std::size_t query, const Stand<dim> &, List &found) const;
+  void detect_balls(const Faces<dim> &, std::size_t query, List &found) const;
+  /// The point in the field of the other side's particles.
+  void detect_particles(const Faces<dim> &, std::size_t query, List &found) const;
+  /// Outward unit normal of the points' own surface at a node; zero for particles
+  /// and for nodes without facets.
   Point<dim> own_normal(const Faces<dim> &, std::size_t query) const;
   void list_own_facets(const Faces<dim> &, const std::vector<int> &symmetry_axes);
   std::vector<Point<dim>> all_positions(const Faces<dim> &) const;
@@ -118,6 +167,7 @@ private:
   double motion(std::span<const Point<dim>> positions) const;
 
   ContactSpec   spec_;
+  Meeting       meeting_;
   std::int64_t  index_;
   int           point_body_, other_body_;
   Party         point_party_, other_party_;
@@ -125,9 +175,11 @@ private:
   double        size_         = 0; ///< typical facet edge or particle spacing of the other side, m
   double        max_depth_    = 0;
   double        half_spacing_ = 0;
+  ParticleField<dim> field_; ///< where the other side is particles
 
   std::vector<std::uint32_t> points_, others_; ///< others_: particles, or facet nodes to watch
   std::vector<Facet>         facets_;
+  std::vector<int>           symmetry_axes_;
   std::vector<Facet>         own_facets_; ///< of the points' side, where they are nodes
   std::vector<std::size_t>   own_first_;  ///< point q: own_[own_first_[q] .. own_first_[q + 1])
   std::vector<std::uint32_t> own_;        ///< into own_facets_

@@ -173,6 +173,7 @@ CouplingBalance Coupler<dim>::balance() const
   balance.work_on_mesh      = contact.work[mesh_party];
   balance.work_on_particles = contact.work[particle_party];
   balance.contact_impulse   = contacts_->impulse();
+  balance.plane_impulse.head<dim>() = contacts_->plane_impulse();
   for (const auto &interface : interfaces_)
   {
     balance.interface_work += interface->energy().residue();

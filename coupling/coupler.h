@@ -35,6 +35,7 @@ struct CouplingBalance
   double work_on_mesh      = 0; ///< by contact and interfaces
   double work_on_particles = 0;
   double contact_impulse   = 0; ///< sum of |force| dt, N s
+  Vec3   plane_impulse = Vec3::Zero(); ///< of symmetry planes, through contact, N s
 };
 
 /// Joins the two solvers of a run. One step:

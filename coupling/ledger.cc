@@ -101,7 +101,7 @@ LedgerRow ledger_row(const Balance &fem, const Balance &sph, const CouplingBalan
   row.mass             = sum.mass;
   row.momentum         = sum.momentum;
   row.angular_momentum = sum.angular_momentum;
-  row.external_impulse = sum.external_impulse;
+  row.external_impulse = sum.external_impulse + coupling.plane_impulse;
   row.mesh_books       = books(fem, coupling.work_on_mesh);
   row.particle_books   = books(sph, coupling.work_on_particles);
   return row;

@@ -39,6 +39,17 @@ std::vector<std::uint32_t> contact_points(const Surface<dim> &surface, int body)
   return points;
 }
 
+template <int dim>
+std::vector<std::uint32_t> body_points(const Surface<dim> &surface, int body)
+{
+  std::vector<std::uint32_t> points;
+  for (std::uint32_t i = 0; i < surface.n; ++i)
+    if (surface.body[i] == body)
+      points.push_back(i);
+  std::sort(points.begin(), points.end(), [&](auto i, auto j) { return surface.id[i] < surface.id[j]; });
+  return points;
+}
+
 namespace
 {
 template <int dim>
@@ -105,6 +116,7 @@ double facet_size(const Surface<dim> &surface, const typename Surface<dim>::Face
 #define OGIVE_INSTANTIATE(dim)                                                                               \
   template struct Faces<dim>;                                                                                \
   template std::vector<std::uint32_t>                contact_points(const Surface<dim> &, int);              \
+  template std::vector<std::uint32_t>                body_points(const Surface<dim> &, int);                 \
   template std::vector<typename Surface<dim>::Facet> true_facets(const Surface<dim> &, int,                  \
                                                                  const std::vector<int> &);                  \
   template Point<dim> facet_area(const Faces<dim> &, int, const Surface<dim>::Facet &);                      \

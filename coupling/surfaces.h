@@ -90,14 +90,6 @@ struct Faces
       p[a] = of[party].v[a][i];
     return p;
   }
-  /// Surface::normal of a point; zero where none is known.
-  Point<dim> normal(int party, std::uint32_t i) const
-  {
-    Point<dim> p = Point<dim>::Zero();
-    for (int a = 0; a < dim && !of[party].normal[a].empty(); ++a)
-      p[a] = of[party].normal[a][i];
-    return p;
-  }
   double radius(int party, std::uint32_t i) const
   {
     return of[party].radius.empty() ? 0 : of[party].radius[i];
@@ -119,6 +111,10 @@ struct Faces
 /// Points of `body` that may touch, by ascending id.
 template <int dim>
 std::vector<std::uint32_t> contact_points(const Surface<dim> &, int body);
+
+/// All points of `body`, by ascending id.
+template <int dim>
+std::vector<std::uint32_t> body_points(const Surface<dim> &, int body);
 
 /// Facets of `body` that bound material: those that lie as a whole on one of
 /// the planes x_axis = 0 listed in `symmetry_axes` are cuts, not surface.

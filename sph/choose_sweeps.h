@@ -1,38 +1,76 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "sph/correction/pairwise.h"
+#include "sph/artificial_stress.h"
+#include "sph/correction/correction_sweep.h"
+#include "sph/correction/sensor.h"
+#include "sph/density.h"
 #include "sph/energy.h"
 #include "sph/force.h"
 #include "sph/gradient.h"
+#include "sph/viscosity/viscosities.h"
+#include "sph/viscosity/viscous_sweep.h"
 
-/// Instantiates the sweeps; included once a dimension.
+/// Instantiates the sweeps; included once a dimension and kernel.
 namespace ogive::sph
 {
 namespace detail
 {
-template <int dim, class Kernel, bool standard, bool correction, bool damage>
-SweepFunctions sweeps()
+template <int dim, class Kernel>
+void choose_form(const SweepChoice &c, SweepFunctions &f)
 {
-  return {&gradient_sweep<dim, Kernel, standard>, &force_sweep<dim, Kernel, standard, correction, damage>,
-          correction ? &correction_sweep<dim, Kernel> : nullptr, &energy_sweep<dim, Kernel, correction>};
+  f.gradient = c.standard ? &gradient_sweep<dim, Kernel, true> : &gradient_sweep<dim, Kernel, false>;
+  f.density  = c.standard ? &density_sweep<dim, Kernel, true> : &density_sweep<dim, Kernel, false>;
+  f.sensor   = &sensor_sweep<dim, Kernel>;
+  if (c.standard)
+    f.force = c.damage ? &force_sweep<dim, Kernel, true, true> : &force_sweep<dim, Kernel, true, false>;
+  else
+    f.force = c.damage ? &force_sweep<dim, Kernel, false, true> : &force_sweep<dim, Kernel, false, false>;
+  f.artificial_stress       = &artificial_stress_sweep<dim, Kernel, false>;
+  f.artificial_stress_power = &artificial_stress_sweep<dim, Kernel, true>;
+}
+
+template <int dim, class Kernel>
+void choose_correction(const SweepChoice &c, SweepFunctions &f)
+{
+  f.mean = &mean_sweep<dim, Kernel>;
+  if (c.correction == "shepard")
+    f.correction = c.variable ? &correction_sweep<dim, Kernel, true, true> : &correction_sweep<dim, Kernel, true, false>;
+  else if (c.correction == "pairwise")
+    f.correction =
+      c.variable ? &correction_sweep<dim, Kernel, false, true> : &correction_sweep<dim, Kernel, false, false>;
+  else if (c.correction != "none")
+    throw InputError({"", 0, "SPH/correction"}, "unknown correction \"" + c.correction + "\"",
+                     "none, pairwise or shepard");
+  if (c.correction == "pairwise" && c.variable)
+    f.correction_power = &correction_power_sweep<dim, Kernel>;
+}
+
+template <int dim, class Kernel, class Viscosity>
+void choose_viscosity(const SweepChoice &c, SweepFunctions &f)
+{
+  constexpr bool central = Viscosity::central;
+  const bool     fixed   = c.correction == "pairwise" && !c.variable;
+  f.viscous = c.limited ? &viscous_sweep<dim, Kernel, Viscosity, true> : &viscous_sweep<dim, Kernel, Viscosity, false>;
+  f.energy  = fixed ? &energy_sweep<dim, Kernel, central, true> : &energy_sweep<dim, Kernel, central, false>;
+  if (!central)
+    f.viscous_power = [](const Sweep &s) {
+      pair_power_sweep<dim, central>(s, s.pair_viscosity, Layout<dim>::viscous_power);
+    };
+  if (c.correction == "shepard")
+    f.weak_power = [](const Sweep &s) {
+      pair_power_sweep<dim, central>(s, s.pair_weak, Layout<dim>::viscous_power);
+    };
 }
 
 template <int dim, class Kernel>
 SweepFunctions sweeps_of(const SweepChoice &c)
 {
-  static constexpr SweepFunctions (*table[8])() = {
-    &sweeps<dim, Kernel, false, false, false>, &sweeps<dim, Kernel, false, false, true>,
-    &sweeps<dim, Kernel, false, true, false>,  &sweeps<dim, Kernel, false, true, true>,
-    &sweeps<dim, Kernel, true, false, false>,  &sweeps<dim, Kernel, true, false, true>,
-    &sweeps<dim, Kernel, true, true, false>,   &sweeps<dim, Kernel, true, true, true>};
-  return table[4 * c.standard + 2 * c.correction + c.damage]();
+  SweepFunctions f;
+  choose_form<dim, Kernel>(c, f);
+  choose_correction<dim, Kernel>(c, f);
+  with_viscosity<dim>(c.viscosity, [&](auto v) { choose_viscosity<dim, Kernel, decltype(v)>(c, f); });
+  return f;
 }
 } // namespace detail
-
-template <int dim>
-SweepFunctions choose_sweeps(const SweepChoice &c, const std::string &kernel)
-{
-  return with_kernel(kernel, [&](auto k) { return detail::sweeps_of<dim, decltype(k)>(c); });
-}
 } // namespace ogive::sph

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "sph/correction/pairwise.h"
+#include "sph/correction/weights.h"
 #include "sph/sweep.h"
 
 namespace ogive::sph
@@ -10,13 +10,14 @@ namespace ogive::sph
 /// power of a particle is its own term, w_i P_i : sum_j w_j (v_j - v_i) (x)
 /// gradW, so that no stress heat leaks to a neighbour; the dissipative pair
 /// forces heat half and half, -1/2 F_ij . v_ij. The sum over all particles is
-/// minus the power of the forces, to rounding.
-template <int dim, class Kernel, bool correction>
+/// minus the power of the forces, to rounding. `central`: the viscosity that
+/// acts as it is has central forces; `correction`: pairwise, one support.
+template <int dim, class Kernel, bool central, bool correction>
 [[gnu::flatten]] void energy_sweep(const Sweep &s)
 {
   using L = Layout<dim>;
-  const KernelAt<Kernel, dim>           kernel(s.h);
-  const PairwiseCorrection<dim, Kernel> k{KernelAt<Kernel, dim>(s.h * s.support)};
+  const KernelAt<Kernel, dim> kernel(s.h);
+  const CorrectionWeight<dim, Kernel, false, false> k(s);
   for (std::size_t i = s.begin; i < s.end; ++i)
   {
     const double *own        = s.energy_records + i * L::energy_stride;
@@ -55,9 +56,9 @@ template <int dim, class Kernel, bool correction>
         load_records<2 * dim + 2>(s.correction_records, L::correction_stride, s.index + p, c);
         for (int a = 0; a < dim; ++a)
           dot += (own_da[L::da + a] - c[L::da + a]) * dv[a];
-        sum[L::viscous_power] -= k.weight(own_da, c, stdx::sqrt(r2)) * dot;
+        sum[L::viscous_power] -= k(own_da, c, VDouble(stdx::sqrt(r2))) * dot;
       }
-      else
+      if constexpr (central)
         sum[L::viscous_power] -= VDouble(s.pair_viscosity + p, stdx::vector_aligned) * vx;
     }
     store_sums<3>(sum, s.sums + i * L::powers_stride);

@@ -3,7 +3,6 @@
 
 #include "sph/kernels/kernels.h"
 #include "sph/sweep.h"
-#include "sph/viscosity/monaghan.h"
 
 namespace ogive::sph
 {
@@ -11,7 +10,6 @@ namespace ogive::sph
 /// comes out the same from either end (products and sums of the two ends
 /// first): the force of a pair is antisymmetric to the bit.
 ///  stress     F = w_i w_j (P_i + P_j) gradW
-///  viscosity  F = -m_i m_j Pi gradW
 ///  hourglass  F = z rho c h V_i V_j (W'/r) (d_ij . r^) r^ (1-D_i)(1-D_j),
 ///             d_ij = v_ij - 1/2 (L_i + L_j) x_ij, zero where it would drive
 /// Damage softens the stress of a point itself; the pair carries what its two
@@ -19,13 +17,12 @@ namespace ogive::sph
 /// literature has it, leaves the gradient as it was: force and gradient are then
 /// no longer transposed, and whole material beside broken material draws
 /// energy from its stress without end.)
-template <int dim, class Kernel, bool standard, bool correction, bool damage>
+template <int dim, class Kernel, bool standard, bool damage>
 [[gnu::flatten]] void force_sweep(const Sweep &s)
 {
   using L                = Layout<dim>;
   constexpr int n_fields = damage ? L::n_force : L::n_force - 1;
   const KernelAt<Kernel, dim> kernel(s.h);
-  const Monaghan              viscosity{s.alpha, s.beta, s.h};
   const double                z = .25 * s.hourglass * s.h; // means of rho and c: 1/4
   for (std::size_t i = s.begin; i < s.end; ++i)
   {
@@ -47,7 +44,6 @@ template <int dim, class Kernel, bool standard, bool correction, bool damage>
       const VDouble inv_r = kernel.inverse_distance(r2), r = r2 * inv_r;
       const VDouble g  = kernel.slope(r, inv_r);
       const VDouble ww = own[L::weight] * j[L::weight];
-      const VDouble rr = own[L::density] * j[L::density];
       const VDouble c2 = own[L::sound] + j[L::sound], rho2 = own[L::density] + j[L::density];
 
       VDouble t[dim], stretch = 0.;
@@ -63,13 +59,12 @@ template <int dim, class Kernel, bool standard, bool correction, bool damage>
         stretch += d * dx[a];
       }
 
-      const auto    pi    = viscosity(vx, r2, c2, rho2);
-      const VDouble mass2 = standard ? ww : VDouble(ww * rr);
-      VDouble       vol2  = ww;
+      VDouble vol2 = ww;
       if constexpr (standard)
-        vol2 = select(rr > 0., VDouble(ww / rr), VDouble(0.));
-      const VDouble viscous = -(mass2 * g) * pi.pi;
-
+      {
+        const VDouble rr = own[L::density] * j[L::density];
+        vol2             = select(rr > 0., VDouble(ww / rr), VDouble(0.));
+      }
       const VDouble delta = vx - .5 * stretch;
       VDouble       rate  = (z * (vol2 * g)) * (c2 * rho2) * (inv_r * inv_r);
       if constexpr (damage)
@@ -78,19 +73,8 @@ template <int dim, class Kernel, bool standard, bool correction, bool damage>
       hourglass         = select(hourglass * vx > 0., VDouble(0.), hourglass);
       hourglass.copy_to(s.pair_hourglass + p, stdx::vector_aligned);
 
-      VDouble central = hourglass;
-      if constexpr (!correction)
-      {
-        viscous.copy_to(s.pair_viscosity + p, stdx::vector_aligned);
-        central += viscous;
-      }
       for (int a = 0; a < dim; ++a)
-      {
-        sum[L::f_sum + a] += g * ww * t[a] + central * dx[a];
-        if constexpr (correction)
-          sum[L::viscous_sum + a] += viscous * dx[a];
-      }
-      sum[L::viscous_rate] -= (mass2 * g) * pi.rate * r2;
+        sum[L::f_sum + a] += g * ww * t[a] + hourglass * dx[a];
       sum[L::hourglass_rate] -= rate * r2;
     }
     store_sums<L::n_forces>(sum, s.sums + i * L::forces_stride);

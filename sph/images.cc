@@ -214,6 +214,28 @@ void Solver<dim>::Implementation::sweep_images(void (*SweepFunctions::*sweep)(co
 }
 
 template <int dim>
+void Solver<dim>::Implementation::sweep_all(Function f, AlignedVector<double> &sums, std::size_t stride,
+                                            std::size_t n_fields)
+{
+  for (const auto &b : bodies)
+    (b.sweeps.*f)(sweep_of(b, pairs, sums.data()));
+  sweep_images(f, &Images::sums);
+  add_images(&Images::sums, stride, 0, n_fields, sums);
+}
+
+template <int dim>
+void Solver<dim>::Implementation::add_all(Function f, AlignedVector<double> &sums, std::size_t stride,
+                                          std::size_t n_fields)
+{
+  for (const auto &b : bodies)
+    (b.sweeps.*f)(sweep_of(b, pairs, sums.data()));
+  for (auto &m : images)
+    std::fill(m.sums.begin(), m.sums.end(), 0.);
+  sweep_images(f, &Images::sums);
+  add_images(&Images::sums, stride, 0, n_fields, sums);
+}
+
+template <int dim>
 void Solver<dim>::Implementation::add_images(const AlignedVector<double> Images::*from, std::size_t stride,
                                              std::size_t first, std::size_t last, AlignedVector<double> &to)
 {
@@ -261,6 +283,10 @@ void Solver<dim>::Implementation::book_images(double kick)
   template double Solver<d>::Implementation::share(std::size_t) const;                                       \
   template void   Solver<d>::Implementation::sweep_images(void (*SweepFunctions::*)(const Sweep &),          \
                                                           AlignedVector<double> Images::*);                  \
+  template void   Solver<d>::Implementation::sweep_all(Function, AlignedVector<double> &, std::size_t,       \
+                                                       std::size_t);                                         \
+  template void   Solver<d>::Implementation::add_all(Function, AlignedVector<double> &, std::size_t,         \
+                                                     std::size_t);                                           \
   template void   Solver<d>::Implementation::add_images(const AlignedVector<double> Images::*, std::size_t,  \
                                                         std::size_t, std::size_t, AlignedVector<double> &);  \
   template void   Solver<d>::Implementation::book_images(double);

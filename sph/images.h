@@ -9,7 +9,7 @@ namespace ogive::sph
 struct Pairs
 {
   NeighbourRows         rows;
-  AlignedVector<double> viscosity, hourglass; ///< one number a pair, see Sweep
+  AlignedVector<double> hourglass, viscosity, weak; ///< see Sweep
 };
 
 /// Mirror images behind one wall, or, in the corners, behind several: those
@@ -37,7 +37,7 @@ struct Images
   std::int64_t                            bits = 0;         ///< of the walls
   std::vector<std::array<std::size_t, 2>> range;            ///< in Ghosts, of each body
   Pairs                                   pairs;
-  AlignedVector<double>                   sums;   ///< of the gradient and of the energy sweep
+  AlignedVector<double>                   sums;   ///< of any sweep but those of forces
   AlignedVector<double>                   forces; ///< of the force sweep, zero where they do not act
 };
 } // namespace ogive::sph

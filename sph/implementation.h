@@ -8,6 +8,7 @@
 #include "sph/step_bound.h"
 #include "sph/store.h"
 #include "sph/sweep.h"
+#include "sph/viscosity/pair.h"
 
 #include <Eigen/Core>
 
@@ -25,13 +26,16 @@ struct Works
 };
 
 /// Inside the solver. solver.cc: the public face; phases.cc: the phases of a
-/// step; motion.cc: kick, boundaries, drift; lists.cc: rebuild and records;
+/// step; viscous.cc, correct.cc, support.cc: forces, the correction and its
+/// support; motion.cc: kick, boundaries, drift; lists.cc: rebuild and records;
 /// images.cc: images behind rigid walls; surface.cc: what contact sees;
 /// state.cc: snapshots and checkpoints.
 template <int dim>
 struct Solver<dim>::Implementation
 {
   using L = Layout<dim>;
+  using V = ViscousLayout<dim>;
+  using Function = typename SweepFunctions::Function SweepFunctions::*;
   template <class T>
   using PerAxis = std::array<T, dim>;
   using Vector  = Eigen::Matrix<double, dim, 1>;
@@ -46,11 +50,15 @@ struct Solver<dim>::Implementation
     SweepFunctions                             sweeps;
     double                                     list_radius = 0;
     double                                     self_value  = 0; ///< W(0; h_c)
+    double                                     centre_value = 0; ///< W(0; h)
   };
 
   Parameters        parameters;
-  bool              standard = false, correction = false;
+  bool              standard = false, correction = false, summation = false;
+  bool              variable = false; ///< support of the correction
+  bool              sensed   = false; ///< something asks for the sums of the sensor sweep
   LatticeShares     shares;
+  int               viscous_terms = 1; ///< numbers a pair that a viscosity keeps
   std::vector<Body> bodies;
   Store<dim>        store;
 
@@ -62,14 +70,17 @@ struct Solver<dim>::Implementation
   std::vector<std::int64_t>  active;    ///< bit w: images behind wall w act
   std::vector<double>        friction_share; ///< see share_friction(), of each wall
   std::vector<double>        press;     ///< velocity that wall w's images gave particle i in the kick
-  AlignedVector<double>      force_records, correction_records, energy_records;
-  AlignedVector<double>      gradient_sums, force_sums, power_sums;
+  AlignedVector<double>      force_records, viscous_records, sensor_records, stress_records, correction_records,
+    energy_records;
+  AlignedVector<double> gradient_sums, mass_sums, sensor_sums, force_sums, viscous_sums, mean_sums, power_sums;
+  AlignedVector<double> velocity_gradient; ///< column by column, corrected where the form is, 1/s
+  AlignedVector<double> reach;             ///< h_c of each particle, where supports vary, m
+  AlignedVector<double> corrected;         ///< force of the correction alone, where the energy form asks, N
   AlignedVector<double>      wave_number; ///< step_bound.h, 1/m, of the last gradient sweep
   std::vector<std::uint32_t> index_of_id;
   std::vector<std::int64_t>  near_surface; ///< kept through a rebuild's first sweep: part of the state
   std::vector<std::uint32_t> contact_points;
   AlignedVector<double>      radius;
-  PerAxis<AlignedVector<double>> normal; ///< Surface::normal
   bool                       surface_stale = true;
   std::size_t                failed        = 0; ///< particles with damage >= 1
 
@@ -119,19 +130,52 @@ struct Solver<dim>::Implementation
                     std::size_t last, AlignedVector<double> &to);
   void   book_images(double kick);
 
+  /// A sweep over all bodies, images behind walls included, into or onto `sums`.
+  void sweep_all(Function, AlignedVector<double> &sums, std::size_t stride, std::size_t n_fields);
+  void add_all(Function, AlignedVector<double> &sums, std::size_t stride, std::size_t n_fields);
+  bool is_used(Function f) const { return bodies.front().sweeps.*f != nullptr; }
+  /// Records of the images from those of their parents: `vectors` fields first,
+  /// each of dim components.
+  double *image_record(AlignedVector<double> &records, std::size_t stride, std::size_t g) const
+  {
+    return &records[(store.size() + g) * stride];
+  }
+
   // phases.cc
   /// Gradients at x(t_n); with dt > 0 also the material's step.
   StepStatus advance_material(double dt);
-  void       forces();
-  void       correct();
   void       energy(double kick);
+  void       sum_masses(); ///< sum m W, without self
+  double     mass_sum(const Body &b, std::size_t i) const
+  {
+    return mass_sums[i * padded(1)] + store.mass[i] * b.centre_value;
+  }
+
+  // viscous.cc
+  void              forces();
+  ViscousPoint<dim> viscous_point(const Body &, std::size_t i) const;
+  void              sense(); ///< sums of the sensor sweep
+  void              advance_switch(double dt);
+  double            shock_share(const Body &, std::size_t i, const ViscousPoint<dim> &) const;
+  double            strength(std::size_t i, const ViscousPoint<dim> &) const;
+  void              pack_viscosity();
+  void              sweep_viscosity();
+  void              stress_artificially();
+
+  // correct.cc
+  void correct(); ///< adds what the correction makes of the weak viscous forces
+  void pack_correction();
+  void reflect_correction(bool is_velocity);
+  void share_heat(); ///< of the energy forms of the Shepard correction
+
+  // support.cc
+  void choose_support();
+  void set_kappa(); ///< of wide correction records, from `reach`
 
   // surface.cc
-  void   find_surface();
-  void   list_contact_points();
-  void   measure_flatness(); ///< Store::flatness, from the lists
-  void   point_normals();    ///< from the gradient sums and the flatness
-  Vector outward(std::size_t i) const; ///< unit vector out of the body, 0 where it has no side
+  void find_surface();
+  void list_contact_points();
+
   // motion.cc
   void       kick(const TimeStep &);
   double     landing(std::size_t i, std::size_t w, const TimeStep &, double spacing) const;

@@ -112,7 +112,12 @@ void Solver<dim>::Implementation::rebuild_lists()
 
   // One record more: the zeros that fill up the rows.
   force_records.assign((all + 1) * L::force_stride, 0.);
-  correction_records.assign((all + 1) * L::correction_stride, 0.);
+  viscous_records.assign((all + 1) * V::stride, 0.);
+  correction_records.assign((all + 1) * (variable ? L::wide_correction_stride : L::correction_stride), 0.);
+  if (sensed)
+    sensor_records.assign((all + 1) * SensorLayout<dim>::stride, 0.);
+  if (parameters.options.artificial_stress > 0)
+    stress_records.assign((all + 1) * StressLayout<dim>::stride, 0.);
   energy_records.assign((all + 1) * L::energy_stride, 0.);
   size_pairs(pairs);
   index_of_id.resize(n);
@@ -129,9 +134,11 @@ void Solver<dim>::Implementation::rebuild_lists()
 template <int dim>
 void Solver<dim>::Implementation::size_pairs(Pairs &p) const
 {
-  p.hourglass.resize(p.rows.index.size());
-  if (!correction)
-    p.viscosity.resize(p.rows.index.size());
+  const std::size_t n = p.rows.index.size();
+  p.hourglass.resize(n);
+  p.viscosity.resize(n * viscous_terms);
+  if (is_used(&SweepFunctions::weak_power))
+    p.weak.resize(n * viscous_terms);
 }
 
 template <int dim>
@@ -149,7 +156,7 @@ void Solver<dim>::Implementation::list_images(const std::array<std::span<const d
                        bodies[k].list_radius, static_cast<std::uint32_t>(n + ghosts.size()), m.pairs.rows, true);
     }
     size_pairs(m.pairs);
-    m.sums.assign(any ? n * std::max(L::gradient_stride, L::powers_stride) : 0, 0.);
+    m.sums.assign(any ? n * std::max({L::gradient_stride, L::forces_stride, V::sums_stride, L::means_stride}) : 0, 0.);
     m.forces.assign(any ? n * L::forces_stride : 0, 0.);
   }
 }
@@ -221,8 +228,15 @@ Sweep Solver<dim>::Implementation::sweep_of(const Body &b, Pairs &p, double *sum
   s.correction_records = correction_records.data();
   s.energy_records     = energy_records.data();
   s.sums               = sums;
-  s.pair_viscosity     = p.viscosity.data();
+  s.viscous_records    = viscous_records.data();
+  s.sensor_records     = sensor_records.data();
+  s.stress_records     = stress_records.data();
   s.pair_hourglass     = p.hourglass.data();
+  s.pair_viscosity     = p.viscosity.data();
+  s.pair_weak          = p.weak.empty() ? nullptr : p.weak.data();
+  s.n_entries          = p.rows.index.size();
+  s.spacing            = b.spacing;
+  s.keep_weak          = correction ? 0 : 1;
   s.h                  = b.h;
   s.alpha              = o.alpha;
   s.beta               = o.beta;

@@ -81,10 +81,9 @@ template <int dim>
 StepStatus Solver<dim>::Implementation::advance_material(double dt)
 {
   pack_motion();
-  for (const auto &b : bodies)
-    b.sweeps.gradient(sweep_of(b, pairs, gradient_sums.data()));
-  sweep_images(&SweepFunctions::gradient, &Images::sums);
-  add_images(&Images::sums, L::gradient_stride, 0, L::n_gradient, gradient_sums);
+  sweep_all(&SweepFunctions::gradient, gradient_sums, L::gradient_stride, L::n_gradient);
+  if (summation)
+    sum_masses();
   auto       &points = store.points;
   Block       block;
   std::size_t fallbacks = 0, broken = 0;
@@ -110,6 +109,7 @@ StepStatus Solver<dim>::Implementation::advance_material(double dt)
         const Eigen::Map<const Eigen::Matrix<double, dim, 1>> normal(sums + L::normal_sum);
         wave_number[i] = corrected[k].cwiseAbs().rowwise().sum().maxCoeff() * sums[L::stiffness_sum] +
                          surface_share * (corrected[k] * normal).norm();
+        std::copy(l.data(), l.data() + dim * dim, &velocity_gradient[i * dim * dim]);
         double *record     = &force_records[i * L::force_stride];
         for (int a = 0; a < dim; ++a)
           for (int b = a; b < dim; ++b)
@@ -118,8 +118,9 @@ StepStatus Solver<dim>::Implementation::advance_material(double dt)
         {
           middle<dim>(l, dt, k, block);
           const double rho = points.density[i];
-          block.density[k] = standard ? rho + dt * sums[L::continuity_sum] :
-                                        rho * (Matrix::Identity() - dt * l).determinant();
+          block.density[k] = summation ? store.density_scale[i] * mass_sum(body, i) :
+                             standard  ? rho + dt * sums[L::continuity_sum] :
+                                         rho * (Matrix::Identity() - dt * l).determinant();
         }
       }
       if (dt > 0)
@@ -152,56 +153,6 @@ StepStatus Solver<dim>::Implementation::advance_material(double dt)
 }
 
 template <int dim>
-void Solver<dim>::Implementation::forces()
-{
-  for (const auto &b : bodies)
-    b.sweeps.force(sweep_of(b, pairs, force_sums.data()));
-  sweep_images(&SweepFunctions::force, &Images::forces);
-  add_images(&Images::forces, L::forces_stride, L::viscous_sum, L::n_forces, force_sums);
-  if (correction)
-    correct();
-  add_images(&Images::forces, L::forces_stride, L::f_sum, L::f_sum + dim, force_sums);
-}
-
-/// Replaces the viscous forces by the pairwise correction of them.
-template <int dim>
-void Solver<dim>::Implementation::correct()
-{
-  const std::size_t n = store.size();
-  for (const auto &b : bodies)
-  {
-    for (std::size_t i = b.first; i < b.last; ++i)
-    {
-      const double *motion = &force_records[i * L::force_stride];
-      const double  rho = motion[L::density], volume = store.mass[i] / rho;
-      double       *r = &correction_records[i * L::correction_stride];
-      for (int a = 0; a < dim; ++a)
-      {
-        r[L::x + a]  = motion[L::x + a];
-        r[L::da + a] = force_sums[i * L::forces_stride + L::viscous_sum + a] / store.mass[i];
-      }
-      r[L::volume] = volume;
-      r[L::kappa]  = rho / (gradient_sums[i * L::gradient_stride + L::shepard_sum] + volume * b.self_value);
-    }
-  }
-  for (std::size_t g = 0; g < ghosts.size(); ++g)
-  {
-    const double *from = &correction_records[ghosts.parent[g] * L::correction_stride];
-    double       *to   = &correction_records[(n + g) * L::correction_stride];
-    for (int a = 0; a < dim; ++a)
-    {
-      to[L::x + a]  = ghosts.sign[g][a] * from[L::x + a] + shift(g, a, time);
-      to[L::da + a] = ghosts.sign[g][a] * from[L::da + a];
-    }
-    to[L::volume] = share(g) * from[L::volume];
-    to[L::kappa]  = from[L::kappa];
-  }
-  for (const auto &b : bodies)
-    b.sweeps.correction(sweep_of(b, pairs, force_sums.data()));
-  sweep_images(&SweepFunctions::correction, &Images::forces);
-}
-
-template <int dim>
 void Solver<dim>::Implementation::energy(double kick)
 {
   const std::size_t n = store.size();
@@ -216,10 +167,13 @@ void Solver<dim>::Implementation::energy(double kick)
     }
     to[L::weight] = share(g) * from[L::weight];
   }
-  for (const auto &b : bodies)
-    b.sweeps.energy(sweep_of(b, pairs, power_sums.data()));
-  sweep_images(&SweepFunctions::energy, &Images::sums);
-  add_images(&Images::sums, L::powers_stride, 0, 3, power_sums);
+  sweep_all(&SweepFunctions::energy, power_sums, L::powers_stride, 3);
+  for (const auto power : {&SweepFunctions::artificial_stress_power, &SweepFunctions::viscous_power,
+                           &SweepFunctions::correction_power, &SweepFunctions::weak_power})
+    if (is_used(power))
+      add_all(power, power_sums, L::powers_stride, 3);
+  if (parameters.options.correction == "shepard")
+    share_heat();
   for (std::size_t i = 0; i < n; ++i)
   {
     const double *sums      = &power_sums[i * L::powers_stride];
@@ -231,6 +185,17 @@ void Solver<dim>::Implementation::energy(double kick)
     store.hourglass_heat[i] += hourglass;
     store.points.energy[i] += stress + viscous + hourglass;
   }
+}
+
+template <int dim>
+void Solver<dim>::Implementation::sum_masses()
+{
+  sweep_all(&SweepFunctions::density, mass_sums, padded(1), 1);
+  if (!store.density_scale.empty() && store.density_scale[0] > 0)
+    return;
+  for (const auto &body : bodies)
+    for (std::size_t i = body.first; i < body.last; ++i)
+      store.density_scale[i] = store.points.density[i] / mass_sum(body, i);
 }
 
 template <int dim>
@@ -248,9 +213,8 @@ Culprit Solver<dim>::Implementation::culprit(std::size_t i, const char *why) con
 
 #define OGIVE_INSTANTIATE(d)                                                                                 \
   template StepStatus Solver<d>::Implementation::advance_material(double);                                   \
-  template void       Solver<d>::Implementation::forces();                                                   \
-  template void       Solver<d>::Implementation::correct();                                                  \
   template void       Solver<d>::Implementation::energy(double);                                             \
+  template void       Solver<d>::Implementation::sum_masses();                                               \
   template Culprit    Solver<d>::Implementation::culprit(std::size_t, const char *) const;
 OGIVE_INSTANTIATE(1)
 OGIVE_INSTANTIATE(2)

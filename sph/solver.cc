@@ -5,7 +5,7 @@
 #include "sph/implementation.h"
 #include "sph/kernels/kernels.h"
 #include "sph/state.h"
-#include "sph/viscosity/monaghan.h"
+#include "sph/viscosity/viscosities.h"
 
 #include <Eigen/Geometry>
 
@@ -20,19 +20,32 @@ constexpr double skin_over_h = .12;
 
 void check(const input::SphOptions &o)
 {
-  const auto fail = [](const char *entry, const std::string &value, const char *expected) {
-    throw InputError({"", 0, std::string("Sph/") + entry}, "unknown value \"" + value + "\"", expected);
+  const auto one_of = [](const char *entry, const std::string &value, std::initializer_list<const char *> names) {
+    std::string expected;
+    for (const char *name : names)
+    {
+      if (value == name)
+        return;
+      expected += (expected.empty() ? "" : ", ") + std::string(name);
+    }
+    throw InputError({"", 0, std::string("SPH/") + entry}, "unknown value \"" + value + "\"", "one of " + expected);
   };
-  if (o.form != "standard" && o.form != "corrected")
-    fail("form", o.form, "standard or corrected");
-  if (o.viscosity != Monaghan::name)
-    fail("viscosity", o.viscosity, "monaghan");
-  if (o.correction != "none" && o.correction != "pairwise")
-    fail("correction", o.correction, "none or pairwise");
+  one_of("form", o.form, {"standard", "corrected"});
+  one_of("density", o.density, {"continuity", "summation"});
+  one_of("limiter", o.limiter, {"none", "linear"});
+  one_of("switch", o.viscosity_switch, {"none", "balsara", "cullen-dehnen", "divergence-gradient"});
+  one_of("correction", o.correction, {"none", "pairwise", "shepard"});
+  one_of("support rule", o.support_rule, {"fixed", "total-variation", "minimal-dissipation", "monotonicity"});
+  one_of("shock split", o.shock_split, {"none", "compression", "sharp"});
+  one_of("energy form", o.energy_form, {"compatible", "working", "averaged"});
+  if ((o.correction == "shepard") == (o.energy_form == "compatible"))
+    throw InputError({"", 0, "SPH/energy form"},
+                     "\"" + o.energy_form + "\" does not go with correction = " + o.correction,
+                     "working or averaged with shepard, compatible with all else");
   if (!(o.h_over_dx >= .6 && o.h_over_dx <= 4))
-    throw InputError({"", 0, "Sph/h over spacing"}, "out of range", "a number from .6 to 4");
+    throw InputError({"", 0, "SPH/h over dx"}, "out of range", "a number from .6 to 4");
   if (!(o.correction_support > 0 && o.correction_support <= 4))
-    throw InputError({"", 0, "Sph/correction support"}, "out of range", "a number > 0 and <= 4");
+    throw InputError({"", 0, "SPH/correction support"}, "out of range", "a number > 0 and <= 4");
 }
 } // namespace
 
@@ -40,12 +53,16 @@ template <int dim>
 Solver<dim>::Implementation::Implementation(const Parameters &p, std::vector<BodyParticles<dim>> filled)
   : parameters(p)
   , standard(p.options.form == "standard")
-  , correction(p.options.correction == "pairwise")
+  , correction(p.options.correction != "none")
+  , summation(p.options.density == "summation")
+  , variable(correction && p.options.support_rule != "fixed")
+  , sensed(p.options.shock_split == "sharp" || p.options.viscosity_switch == "divergence-gradient")
 {
   const auto &o = p.options;
   check(o);
   require(p.boundaries.size() == p.boundary_bodies.size(), "one body per boundary");
   shares        = lattice_shares<dim>(o);
+  viscous_terms = with_viscosity<dim>(o.viscosity, [](auto v) { return decltype(v)::n_terms; });
   std::size_t n = 0;
   for (const auto &f : filled)
   {
@@ -57,11 +74,16 @@ Solver<dim>::Implementation::Implementation(const Parameters &p, std::vector<Bod
     b.h        = o.h_over_dx * f.spacing;
     b.skin     = skin_over_h * b.h;
     b.material = f.material;
-    b.list_radius = 2 * b.h * (correction ? std::max(1., o.correction_support) : 1.) + b.skin;
-    b.self_value  = with_kernel(o.kernel, [&](auto k) {
-      return KernelAt<decltype(k), dim>(b.h * o.correction_support).value(0.);
+    with_kernel(o.kernel, [&](auto k) {
+      using Kernel   = decltype(k);
+      b.list_radius  = Kernel::support * b.h * (correction ? std::max(1., o.correction_support) : 1.) + b.skin;
+      b.self_value   = KernelAt<Kernel, dim>(b.h * o.correction_support).value(0.);
+      b.centre_value = KernelAt<Kernel, dim>(b.h).value(0.);
     });
-    b.sweeps = choose_sweeps<dim>({standard, correction, f.material->parameters().damage.law != "none"}, o.kernel);
+    b.sweeps = choose_sweeps<dim>({standard, f.material->parameters().damage.law != "none", o.kernel, o.viscosity,
+                                   o.limiter != "none", o.correction, variable});
+    if (!(o.artificial_stress > 0))
+      b.sweeps.artificial_stress = b.sweeps.artificial_stress_power = nullptr;
     bodies.push_back(b);
   }
   store.resize(n);
@@ -71,6 +93,13 @@ Solver<dim>::Implementation::Implementation(const Parameters &p, std::vector<Bod
   gradient_sums.resize(n * L::gradient_stride);
   force_sums.resize(n * L::forces_stride);
   power_sums.resize(n * L::powers_stride);
+  viscous_sums.resize(n * V::sums_stride);
+  sensor_sums.resize(sensed ? n * SensorLayout<dim>::sums_stride : 0);
+  mass_sums.resize(summation ? n * padded(1) : 0);
+  mean_sums.resize(correction ? n * L::means_stride : 0);
+  reach.resize(variable ? n : 0);
+  corrected.resize(o.correction == "shepard" ? n * dim : 0);
+  velocity_gradient.resize(n * dim * dim);
   wall_forces.resize(p.walls.size());
   active.resize(n);
   press.resize(n * p.walls.size());
@@ -101,7 +130,6 @@ Solver<dim>::Implementation::Implementation(const Parameters &p, std::vector<Bod
   const StepStatus status = advance_material(0);
   require(status.ok, "the first state is not sound");
   find_surface();
-  point_normals();
   forces();
 }
 
@@ -137,9 +165,9 @@ StepStatus Solver<dim>::step(const TimeStep &t)
   status                = s.advance_material(t.drift);
   if (!status.ok)
     return status;
+  s.advance_switch(t.drift);
   if (s.surface_stale)
     s.find_surface();
-  s.point_normals();
   s.forces();
   s.updates += s.store.size();
   return {};
@@ -149,6 +177,7 @@ template <int dim>
 StepLimit Solver<dim>::stable_dt() const
 {
   using L         = Layout<dim>;
+  using V         = ViscousLayout<dim>;
   const auto &s   = *self_;
   StepLimit   limit;
   std::size_t who = s.store.size();
@@ -156,7 +185,8 @@ StepLimit Solver<dim>::stable_dt() const
   {
     const double *forces = &s.force_sums[i * L::forces_stride];
     const double  w = s.store.points.sound_speed[i] * s.shares.frequency * s.wave_number[i];
-    const double damping = (s.shares.viscosity * forces[L::viscous_rate] +
+    const double *viscous = &s.viscous_sums[i * V::sums_stride];
+    const double  damping = (s.shares.viscosity * viscous[V::direct_rate] + s.shares.weak * viscous[V::weak_rate] +
                             s.shares.hourglass * forces[L::hourglass_rate]) /
                            s.store.mass[i];
     const double dt = s.parameters.options.step_factor * largest_step(w, damping);
@@ -182,7 +212,6 @@ Surface<dim> Solver<dim>::surface()
     f.x[a]     = s.store.x[a];
     f.v[a]     = s.store.v[a];
     f.force[a] = s.store.external[a];
-    f.normal[a] = s.normal[a];
   }
   f.mass           = s.store.mass;
   f.body           = s.store.body;

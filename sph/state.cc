@@ -14,7 +14,6 @@ void Solver<dim>::Implementation::follow(bool lists)
     rebuild_lists();
   advance_material(0);
   list_contact_points();
-  point_normals();
   surface_stale = false;
   forces();
 }

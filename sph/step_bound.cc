@@ -21,7 +21,7 @@ template <int dim>
 struct Neighbour
 {
   Vec<dim> x;
-  double   gradient, viscosity, hourglass, filter;
+  double   gradient, viscosity, hourglass, filter, value;
 };
 
 template <int dim, class Kernel>
@@ -29,7 +29,7 @@ std::vector<Neighbour<dim>> lattice_neighbours(const input::SphOptions &o)
 {
   const double                h = o.h_over_dx, wide = h * o.correction_support;
   const KernelAt<Kernel, dim> kernel(h), filter(wide);
-  const int                   reach = static_cast<int>(std::ceil(2 * std::max(h, wide)));
+  const int                   reach = static_cast<int>(std::ceil(Kernel::support * std::max(h, wide)));
   std::vector<Neighbour<dim>> all;
   double                      shepard = filter.value(0.);
   int                         count   = 1;
@@ -44,7 +44,7 @@ std::vector<Neighbour<dim>> lattice_neighbours(const input::SphOptions &o)
     if (r == 0)
       continue;
     const double g = -kernel.slope(r, 1 / r) * r;
-    all.push_back({x, g, g * r / (r * r + .01 * h * h), g / r, filter.value(r)});
+    all.push_back({x, g, g * r / (r * r + .01 * h * h), g / r, filter.value(r), kernel.value(r)});
     shepard += filter.value(r);
   }
   for (auto &n : all)
@@ -53,17 +53,20 @@ std::vector<Neighbour<dim>> lattice_neighbours(const input::SphOptions &o)
 }
 
 template <int dim>
-LatticeShares scan(const std::vector<Neighbour<dim>> &neighbours, bool correction)
+LatticeShares scan(const std::vector<Neighbour<dim>> &neighbours, double h)
 {
   const int     m      = dim == 3 ? 12 : 48; // k from 0 to pi along each axis
   double        sum[3] = {0, 0, 0};
-  LatticeShares best{0, 0, 0};
+  LatticeShares best{0, 0, 0, 0, 0, 0};
   for (const auto &n : neighbours)
   {
     sum[0] += n.gradient;
     sum[1] += n.viscosity;
     sum[2] += n.hourglass;
+    best.weight += n.value;
+    best.offset += n.value * std::abs(n.x[0]) / h;
   }
+  best.offset /= best.weight;
   int count = 1;
   for (int d = 0; d < dim; ++d)
     count *= m + 1;
@@ -88,7 +91,9 @@ LatticeShares scan(const std::vector<Neighbour<dim>> &neighbours, bool correctio
       return Eigen::SelfAdjointEigenSolver<Matrix>(a, Eigen::EigenvaluesOnly).eigenvalues()[dim - 1];
     };
     best.frequency = std::max(best.frequency, gradient.norm() / sum[0]);
-    best.viscosity = std::max(best.viscosity, top(viscous) / sum[1] * (correction ? filter : 1.));
+    const double viscosity = top(viscous) / sum[1];
+    best.viscosity = std::max(best.viscosity, viscosity);
+    best.weak      = std::max(best.weak, viscosity * filter);
     best.hourglass = std::max(best.hourglass, top(hourglass) / sum[2]);
   }
   return best;
@@ -99,7 +104,7 @@ template <int dim>
 LatticeShares lattice_shares(const input::SphOptions &o)
 {
   return with_kernel(o.kernel, [&](auto kernel) {
-    return scan<dim>(lattice_neighbours<dim, decltype(kernel)>(o), o.correction == "pairwise");
+    return scan<dim>(lattice_neighbours<dim, decltype(kernel)>(o), o.h_over_dx);
   });
 }
 

@@ -12,11 +12,14 @@ namespace ogive::sph
 /// density, compression and missing neighbours particle by particle.
 ///  frequency  max_k |sum V sin(k.x) gradW| / sum V |gradW|
 ///  viscosity  max_k lambda_max(sum c_j n n^T (1 - cos k.x)) / sum c_j, c_j of
-///             the viscous pair force, with the correction times its filter
+///             the viscous pair force
+///  weak       the same for viscosity that the correction filters
 ///  hourglass  the same for the hourglass control, which no filter touches
 struct LatticeShares
 {
-  double frequency = 1, viscosity = 1, hourglass = 1;
+  double frequency = 1, viscosity = 1, weak = 1, hourglass = 1;
+  /// sum W dx^dim without self, and the mean of |x_1|/h with these weights.
+  double weight = 1, offset = 1;
 };
 template <int dim>
 LatticeShares lattice_shares(const input::SphOptions &);

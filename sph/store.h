@@ -26,8 +26,9 @@ struct Store
   AlignedVector<double>                  swept_density;  ///< density that the last gradient sweep used
   AlignedVector<double>                  viscosity_heat; ///< J/kg so far
   AlignedVector<double>                  hourglass_heat; ///< J/kg so far
-  AlignedVector<double>                  flatness; ///< length of Surface::normal, as of the last lists
-  std::array<AlignedVector<double>, dim> tilt; ///< from the gradient of the body's volume to that normal
+  AlignedVector<double>                  density_scale; ///< rho over sum m W at t = 0, by summation
+  AlignedVector<double>                  switch_factor; ///< of the viscosity, where the switch has a memory
+  AlignedVector<double>                  divergence;    ///< of the velocity, in the step before
   materials::Points                      points;
   std::vector<std::int64_t>              id;
   std::vector<std::int64_t>              fixed; ///< bit a: component a is prescribed
@@ -54,8 +55,9 @@ struct Store
     f("swept_density", swept_density);
     f("viscosity_heat", viscosity_heat);
     f("hourglass_heat", hourglass_heat);
-    f("flatness", flatness);
-    vector("tilt", tilt);
+    f("density_scale", density_scale);
+    f("switch_factor", switch_factor);
+    f("divergence", divergence);
     points.for_each_array(f);
   }
 

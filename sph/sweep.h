@@ -21,9 +21,10 @@ struct Layout
   static constexpr int         sound = n_motion, p = sound + 1, rate = p + dim * dim, damage = rate + n_sym;
   static constexpr int         n_force      = damage + 1;
   static constexpr std::size_t force_stride = padded(n_force);
-  /// Correction: x, the viscous acceleration, volume, kappa = rho/shepard.
-  static constexpr int         da = dim, volume = 2 * dim, kappa = 2 * dim + 1;
-  static constexpr std::size_t correction_stride = padded(2 * dim + 2);
+  /// Correction: x, the weak viscous acceleration, volume, kappa = rho/shepard;
+  /// the wide one also h_c.
+  static constexpr int         da = dim, volume = 2 * dim, kappa = 2 * dim + 1, reach = 2 * dim + 2;
+  static constexpr std::size_t correction_stride = padded(2 * dim + 2), wide_correction_stride = padded(2 * dim + 3);
   /// Energy: x, mean velocity of the kick, weight.
   static constexpr std::size_t energy_stride = padded(2 * dim + 1);
 
@@ -34,14 +35,16 @@ struct Layout
                        normal_sum = stiffness_sum + 1, continuity_sum = normal_sum + dim,
                        n_gradient = continuity_sum + 1;
   static constexpr std::size_t gradient_stride = padded(n_gradient);
-  /// Sums of the force sweep: force, viscous force, damping rates of the
-  /// viscosity and of the hourglass control (1/s, times the mass).
-  static constexpr int f_sum = 0, viscous_sum = dim, viscous_rate = 2 * dim, hourglass_rate = 2 * dim + 1,
-                       n_forces = 2 * dim + 2;
+  /// Sums of the force sweep: force, damping rate of the hourglass control (1/s,
+  /// times the mass).
+  static constexpr int         f_sum = 0, hourglass_rate = dim, n_forces = dim + 1;
   static constexpr std::size_t forces_stride = padded(n_forces);
   /// Sums of the energy sweep: stress power over w_i, twice the viscous and twice the hourglass heating, W.
   static constexpr int         stress_power = 0, viscous_power = 1, hourglass_power = 2;
   static constexpr std::size_t powers_stride = padded(3);
+  /// Sums of the mean sweep (correction_sweep.h).
+  static constexpr int         share_mean = 0, field_mean = 1, variation = 2, along = 3, along_size = 4, n_means = 5;
+  static constexpr std::size_t means_stride = padded(n_means);
 
   /// Index of (a, b) in a symmetric tensor: xx yy zz xy yz zx; 2-D: xx yy xy.
   static constexpr int sym(int a, int b)
@@ -54,6 +57,40 @@ struct Layout
   }
 };
 
+/// Records and sums of the viscous sweep: motion, mass, density, sound speed,
+/// the switch's factor and the shock share psi, then the fields of the
+/// viscosity and, with the limiter, the symmetric velocity gradient. Sums:
+/// forces that act as they are and forces for the correction, and their damping
+/// rates (1/s, times the mass).
+template <int dim>
+struct ViscousLayout : Layout<dim>
+{
+  static constexpr int mass = 2 * dim, density = mass + 1, sound = mass + 2, strength = mass + 3, split = mass + 4,
+                       extra = mass + 5;
+  static constexpr std::size_t stride = padded(extra + dim * dim + Layout<dim>::n_sym);
+  static constexpr int direct_sum = 0, weak_sum = dim, direct_rate = 2 * dim, weak_rate = 2 * dim + 1,
+                       n_sums = 2 * dim + 2;
+  static constexpr std::size_t sums_stride = padded(n_sums);
+};
+
+/// Records of the sensor sweep (correction/sensor.h).
+template <int dim>
+struct SensorLayout
+{
+  static constexpr int         x = 0, volume = dim, divergence = dim + 1, n_fields = dim + 2;
+  static constexpr std::size_t stride = padded(n_fields);
+  static constexpr int         jump = 0, size = 1, slope = 2, n_sums = dim + 2;
+  static constexpr std::size_t sums_stride = padded(n_sums);
+};
+
+/// Records of the artificial stress: x, volume, R.
+template <int dim>
+struct StressLayout
+{
+  static constexpr int         x = 0, volume = dim, r = dim + 1, n_fields = r + Layout<dim>::n_sym;
+  static constexpr std::size_t stride = padded(n_fields);
+};
+
 /// One body's share of a sweep over its directed pairs. Row i of `index` is
 /// [row[i], row[i+1]), a whole number of registers; entries that fill it up
 /// name a record of zeros.
@@ -63,34 +100,57 @@ struct Sweep
   const std::size_t   *row   = nullptr;
   const std::uint32_t *index = nullptr;
   const double        *force_records      = nullptr; ///< motion and force
+  const double        *viscous_records    = nullptr;
+  const double        *sensor_records     = nullptr;
+  const double        *stress_records     = nullptr;
   const double        *correction_records = nullptr;
   const double        *energy_records     = nullptr;
   double              *sums               = nullptr; ///< one record of sums a particle
-  /// One number a directed pair, kept from the force to the energy sweep:
-  /// central force over x_ij of viscosity and of hourglass control, N/m.
-  double *pair_viscosity = nullptr, *pair_hourglass = nullptr;
+  /// Kept from the force sweeps to the energy sweep, one number a directed pair
+  /// and component, components n_entries apart: central force over x_ij of the
+  /// hourglass control, of the viscosity that acts as it is, and (where the
+  /// energy form asks) of the weak one, N/m; of a viscosity with forces that are
+  /// not central their components, N.
+  double     *pair_hourglass = nullptr, *pair_viscosity = nullptr, *pair_weak = nullptr;
+  std::size_t n_entries = 0;
 
-  double h = 0, alpha = 0, beta = 0, hourglass = 0;
-  double support = 1; ///< h_c/h of the correction
+  double h = 0, spacing = 0, alpha = 0, beta = 0, hourglass = 0;
+  double support   = 1; ///< h_c/h of the correction
+  double keep_weak = 1; ///< 1: weak viscosity acts as it is, 0: it is corrected
 };
 
-/// Sweeps for one choice of kernel, form, correction and damage.
+/// Sweeps for one choice of methods; null where the choice does not need one.
 struct SweepFunctions
 {
-  void (*gradient)(const Sweep &)   = nullptr;
-  void (*force)(const Sweep &)      = nullptr;
-  void (*correction)(const Sweep &) = nullptr; ///< adds to the f_sum of the force sums
-  void (*energy)(const Sweep &)     = nullptr;
+  using Function = void (*)(const Sweep &);
+  Function gradient = nullptr;
+  Function density  = nullptr; ///< sums of m W
+  Function sensor   = nullptr;
+  Function force    = nullptr; ///< stress and hourglass control
+  Function artificial_stress = nullptr; ///< adds to the f_sum of the force sums
+  Function viscous    = nullptr;
+  Function correction = nullptr; ///< adds to the f_sum of the force sums
+  Function mean       = nullptr; ///< what support rules and energy forms ask for
+  Function energy     = nullptr;
+  Function artificial_stress_power = nullptr; ///< these add to the power sums
+  Function correction_power        = nullptr;
+  Function viscous_power           = nullptr; ///< of pair_viscosity, where energy leaves it out
+  Function weak_power              = nullptr; ///< of pair_weak
 };
 
+/// Names as in SphOptions.
 struct SweepChoice
 {
-  bool standard   = false;
-  bool correction = false;
-  bool damage     = false;
+  bool        standard   = false;
+  bool        damage     = false;
+  std::string kernel     = "cubic";
+  std::string viscosity  = "monaghan";
+  bool        limited    = false;
+  std::string correction = "none"; ///< "none", "pairwise", "shepard"
+  bool        variable   = false;  ///< support of the correction
 };
 
-/// Instantiated for dim 1, 2, 3; InputError for an unknown kernel.
+/// Instantiated for dim 1, 2, 3; InputError for an unknown name.
 template <int dim>
-SweepFunctions choose_sweeps(const SweepChoice &, const std::string &kernel);
+SweepFunctions choose_sweeps(const SweepChoice &);
 } // namespace ogive::sph

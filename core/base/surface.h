@@ -35,10 +35,6 @@ struct Surface
   /// Half a particle spacing for particles, 0 for nodes; one entry a point,
   /// empty for a solver whose points are all nodes.
   std::span<const double> radius;
-  /// Of particles: outward normal of the body's surface at a point. Its length,
-  /// 0 to 1, says how well neighbours agree on a plane: 0 inside, at edges and
-  /// on fragments. Empty for nodes and where the solver knows none.
-  std::array<std::span<const double>, dim> normal;
 
   /// A boundary facet of a mesh: corner points ordered so that the outward
   /// normal is right-handed (3-D: quad, counter-clockwise seen from outside;

@@ -8,14 +8,35 @@ namespace
 void sph_fields(Fields &f, SphOptions &o)
 {
   f.choice({"form", "discrete form of the equations"}, o.form, {"standard", "corrected"});
-  f.choice({"kernel", "smoothing kernel"}, o.kernel, {"cubic", "wendland-c2"});
+  f.choice({"kernel", "smoothing kernel"}, o.kernel, {"cubic", "quintic", "wendland-c2", "wendland-c4"});
   f.number({"h over dx", "smoothing length over particle spacing"}, o.h_over_dx, Bound{.8, 2.5});
-  f.choice({"viscosity", "artificial viscosity"}, o.viscosity, {"monaghan"});
+  f.choice({"density", "density from the velocity gradient, or from the masses around relative to t = 0"}, o.density,
+           {"continuity", "summation"});
+  f.choice({"viscosity", "artificial viscosity"}, o.viscosity, {"monaghan", "hernquist-katz", "owen"});
   f.number({"alpha", "linear coefficient of the viscosity"}, o.alpha, bounds::not_negative);
   f.number({"beta", "quadratic coefficient of the viscosity"}, o.beta, bounds::not_negative);
-  f.choice({"correction", "acceleration correction of the viscosity"}, o.correction, {"none", "pairwise"});
-  f.number({"correction support", "support of the correction over the smoothing length"}, o.correction_support,
-           Bound{0, 2, true});
+  f.choice({"limiter", "weak viscosity sees the jump that is left of a pair's velocity difference once both ends' "
+                       "linear fields are continued to its middle"},
+           o.limiter, {"none", "linear"});
+  f.choice({"switch", "factor on the viscosity of each particle"}, o.viscosity_switch,
+           {"none", "balsara", "cullen-dehnen", "divergence-gradient"});
+  f.choice({"correction", "acceleration correction of the weak viscosity"}, o.correction,
+           {"none", "pairwise", "shepard"});
+  f.number({"correction support", "support of the correction over the smoothing length; the greatest one where a rule "
+                                  "chooses"},
+           o.correction_support, Bound{0, 2, true});
+  f.choice({"support rule", "how the support of the correction is chosen"}, o.support_rule,
+           {"fixed", "total-variation", "minimal-dissipation", "monotonicity"});
+  f.choice({"shock split", "sensor of the viscosity that captures shocks; the rest is weak viscosity"}, o.shock_split,
+           {"none", "compression", "sharp"});
+  f.number({"split compression", "h |div v|/c at which shock split = compression leaves all viscosity"},
+           o.split_compression, bounds::positive);
+  f.number({"split ratio", "jump of div v between neighbours, relative, at which shock split = sharp leaves half"},
+           o.split_ratio, bounds::positive);
+  f.choice({"energy form", "where the heat of the viscosity goes; shepard needs working (v.<da>) or averaged"},
+           o.energy_form, {"compatible", "working", "averaged"});
+  f.number({"artificial stress", "coefficient against the tensile instability; 0: none"}, o.artificial_stress,
+           bounds::not_negative);
   f.number({"hourglass", "coefficient of the hourglass control"}, o.hourglass, bounds::not_negative);
   f.number({"step factor", "share of the stability bound"}, o.step_factor, bounds::positive_fraction);
 }

@@ -151,12 +151,21 @@ struct Observer
 struct SphOptions
 {
   std::string form       = "corrected"; ///< "standard", "corrected"
-  std::string kernel     = "cubic";     ///< "cubic", "wendland-c2"
+  std::string kernel     = "cubic";     ///< "cubic", "quintic", "wendland-c2", "wendland-c4"
   double      h_over_dx  = 1.3;
-  std::string viscosity  = "monaghan";
+  std::string density    = "continuity"; ///< "continuity", "summation"
+  std::string viscosity  = "monaghan";  ///< "monaghan", "hernquist-katz", "owen"
   double      alpha      = 1, beta = 2;
-  std::string correction = "pairwise";  ///< "none", "pairwise"
-  double      correction_support = 1;   ///< s = h_c/h
+  std::string limiter    = "none";      ///< "none", "linear": weak viscosity sees the reconstructed jump
+  std::string viscosity_switch = "none"; ///< "none", "balsara", "cullen-dehnen", "divergence-gradient"
+  std::string correction = "pairwise";  ///< "none", "pairwise", "shepard"
+  double      correction_support = 1;   ///< s = h_c/h; the greatest one of rules that choose
+  std::string support_rule = "fixed";   ///< "fixed", "total-variation", "minimal-dissipation", "monotonicity"
+  std::string shock_split = "none";     ///< "none", "compression", "sharp"
+  double      split_compression = .02;  ///< M0: h |div v|/c at which all viscosity stays
+  double      split_ratio = .2;         ///< R0 over the mean neighbour offset of the lattice
+  std::string energy_form = "compatible"; ///< "compatible"; "working", "averaged" (shepard)
+  double      artificial_stress = 0;    ///< epsilon of Gray, Monaghan and Swift
   double      hourglass  = .2;          ///< coefficient z of numerics.md section 2
   double      step_factor = .7;         ///< share of the stability bound
 };

@@ -3,7 +3,9 @@
 
 #include "core/base/error.h"
 #include "sph/kernels/cubic.h"
+#include "sph/kernels/quintic.h"
 #include "sph/kernels/wendland_c2.h"
+#include "sph/kernels/wendland_c4.h"
 
 #include <string>
 #include <tuple>
@@ -12,7 +14,7 @@
 namespace ogive::sph
 {
 /// Every kernel: one file and one entry here.
-using Kernels = std::tuple<CubicSpline, WendlandC2>;
+using Kernels = std::tuple<CubicSpline, QuinticSpline, WendlandC2, WendlandC4>;
 
 /// Calls f(Kernel{}) with the kernel of that name; InputError if there is none.
 template <class F>
@@ -20,9 +22,14 @@ decltype(auto) with_kernel(const std::string &name, F &&f)
 {
   if (name == CubicSpline::name)
     return f(CubicSpline{});
+  if (name == QuinticSpline::name)
+    return f(QuinticSpline{});
   if (name == WendlandC2::name)
     return f(WendlandC2{});
-  throw InputError({"", 0, "Sph/kernel"}, "unknown kernel \"" + name + "\"", "cubic or wendland-c2");
+  if (name == WendlandC4::name)
+    return f(WendlandC4{});
+  throw InputError({"", 0, "SPH/kernel"}, "unknown kernel \"" + name + "\"",
+                   "cubic, quintic, wendland-c2 or wendland-c4");
 }
 
 /// A kernel at one smoothing length: constants folded, for whole registers.

@@ -92,7 +92,7 @@ TEST(Contact, EqualBallsExchangeVelocities)
   const double r = .4e-3, m = 2e-6, v = 120;
   const Point<3> n = turn * Point<3>::UnitX();
   world.particles.add(Point<3>::Zero(), v * n, m, 0, r);
-  world.particles.add((2 * r + .5 * v * dt) * n, Point<3>::Zero(), m, 1, r);
+  world.particles.add((2 * ball_share * r + .5 * v * dt) * n, Point<3>::Zero(), m, 1, r);
   ContactSet<3> contacts({{"balls", 0, 1, particle_party, particle_party, 0, share}}, {}, dt, .9);
   contacts.start(world.look());
   int touching = 0;
@@ -317,11 +317,11 @@ namespace
 /// Largest excursion from rest over 3000 steps, with a first one of `start`.
 double pressed_balls(double share_of_bound, double f, double start)
 {
-  World<1>     world;
-  const double r = .002, m = .003;
-  world.particles.add(Point<1>(-r - 1e-9), Point<1>(0.), m, 0, r);
-  world.particles.add(Point<1>(r + 1e-9), Point<1>(0.), m, 1, r);
-  ContactSet<1> contacts({{"balls", 0, 1, particle_party, particle_party, 0, share}}, {}, dt, f);
+  World<3>     world;
+  const double r = .002 * ball_share, m = .003; // where they meet
+  world.particles.add(Point<3>(-r - 1e-9, 0, 0), Point<3>::Zero(), m, 0, .002);
+  world.particles.add(Point<3>(r + 1e-9, 0, 0), Point<3>::Zero(), m, 1, .002);
+  ContactSet<3> contacts({{"balls", 0, 1, particle_party, particle_party, 0, share}}, {}, dt, f);
   contacts.start(world.look());
   const double k      = share * .5 * m / (dt * dt);
   const double run_dt = share_of_bound * 2 * std::sqrt((1 - f * f) / (2 * k / m));
@@ -343,7 +343,7 @@ double pressed_balls(double share_of_bound, double f, double start)
     {
       EXPECT_NEAR(contacts.stable_dt().dt * share_of_bound, run_dt, 1e-12 * run_dt);
     }
-    world.particles.kick_and_drift(run_dt, Point<1>::Zero());
+    world.particles.kick_and_drift(run_dt, Point<3>::Zero());
     contacts.close(world.look(), {0, run_dt, run_dt});
     largest = std::max(largest, std::abs(world.particles.x[0][0] - rest[0]));
   }

@@ -6,6 +6,7 @@
 #include "sph/neighbours.h"
 #include "sph/solver.h"
 #include "sph/sweep.h"
+#include "sph/viscosity/pair.h"
 
 #include <Eigen/Dense>
 
@@ -78,20 +79,21 @@ struct Runner
 };
 
 /// Hand-placed particles for one sweep: packs the records, finds the pairs by
-/// brute force within 2h.
+/// brute force within 3h, the widest support.
 template <int dim>
 struct Cloud
 {
   using L = Layout<dim>;
-  using V = Eigen::Matrix<double, dim, 1>;
-  using M = Eigen::Matrix<double, dim, dim>;
+  using V_ = ViscousLayout<dim>;
+  using V  = Eigen::Matrix<double, dim, 1>;
+  using M  = Eigen::Matrix<double, dim, dim>;
 
   double              h;
   std::vector<V>      x, v;
   std::vector<double> mass, density;
   NeighbourRows       rows;
   Sweep               sweep;
-  AlignedVector<double> force, correction, energy, gradient_sums, force_sums, power_sums, viscosity, hourglass;
+  AlignedVector<double> force, correction, energy, gradient_sums, force_sums, power_sums, viscosity, hourglass, viscous, viscous_sums;
 
   explicit Cloud(const BodyParticles<dim> &p, double h_)
     : h(h_)
@@ -114,7 +116,7 @@ struct Cloud
     for (std::size_t i = 0; i < n; ++i)
     {
       for (std::size_t j = 0; j < n; ++j)
-        if (j != i && (x[i] - x[j]).norm() < 2 * h)
+        if (j != i && (x[i] - x[j]).norm() < 3 * h)
           rows.index.push_back(static_cast<std::uint32_t>(j));
       while (rows.index.size() % simd_width)
         rows.index.push_back(static_cast<std::uint32_t>(n));
@@ -126,8 +128,10 @@ struct Cloud
     gradient_sums.assign(n * L::gradient_stride, 0.);
     force_sums.assign(n * L::forces_stride, 0.);
     power_sums.assign(n * L::powers_stride, 0.);
-    for (auto *a : {&viscosity, &hourglass})
-      a->assign(rows.index.size(), 0.);
+    viscous.assign((n + 1) * V_::stride, 0.);
+    viscous_sums.assign(n * V_::sums_stride, 0.);
+    hourglass.assign(rows.index.size(), 0.);
+    viscosity.assign(rows.index.size() * dim, 0.);
     for (std::size_t i = 0; i < n; ++i)
     {
       double *r = &force[i * L::force_stride];
@@ -147,12 +151,42 @@ struct Cloud
     sweep.force_records      = force.data();
     sweep.correction_records = correction.data();
     sweep.energy_records     = energy.data();
+    sweep.viscous_records    = viscous.data();
     sweep.pair_viscosity     = viscosity.data();
+    sweep.n_entries          = rows.index.size();
     sweep.pair_hourglass     = hourglass.data();
     sweep.h                  = h;
     sweep.alpha              = 1;
     sweep.beta               = 2;
     sweep.hourglass          = .2;
+  }
+
+  /// Records for the viscous sweep, all of the viscosity weak and kept.
+  template <class Law>
+  void pack_viscous(const std::vector<M> &gradients)
+  {
+    for (std::size_t i = 0; i < size(); ++i)
+    {
+      double           *r = &viscous[i * V_::stride];
+      ViscousPoint<dim> p;
+      p.gradient = gradients[i];
+      p.density  = density[i];
+      p.sound    = 4660;
+      p.h        = h;
+      std::copy(&force[i * L::force_stride], &force[i * L::force_stride] + 2 * dim, r);
+      r[V_::mass]     = mass[i];
+      r[V_::density]  = density[i];
+      r[V_::sound]    = p.sound;
+      r[V_::strength] = 1;
+      Law{sweep.alpha, sweep.beta, h}.prepare(p, r + V_::extra);
+      for (int a = 0; a < dim; ++a)
+        for (int b = a; b < dim; ++b)
+          r[V_::extra + Law::n_fields + L::sym(a, b)] = .5 * (gradients[i](a, b) + gradients[i](b, a));
+    }
+  }
+  V viscous_force_on(std::size_t i) const
+  {
+    return Eigen::Map<const V>(&viscous_sums[i * V_::sums_stride + V_::direct_sum]);
   }
 
   Sweep with(AlignedVector<double> &sums)

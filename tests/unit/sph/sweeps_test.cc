@@ -37,7 +37,7 @@ void gradient_of_affine_field()
   for (std::size_t i = 0; i < cloud.size(); ++i)
     cloud.v[i] = l * cloud.x[i] + Cloud<dim>::V::Constant(170.);
   cloud.pack();
-  choose_sweeps<dim>({}, "cubic").gradient(cloud.with(cloud.gradient_sums));
+  choose_sweeps<dim>({}).gradient(cloud.with(cloud.gradient_sums));
   for (std::size_t i = 0; i < cloud.size(); ++i)
     EXPECT_LT((cloud.difference(i) * cloud.moment(i).inverse() - l).norm(), 1e-12 * l.norm()) << i;
 }
@@ -56,7 +56,7 @@ void stress_forces(const std::string &kernel, bool standard)
   using M     = typename Cloud<dim>::M;
   auto cloud  = jittered<dim>();
   cloud.pack(standard);
-  const auto sweeps = choose_sweeps<dim>({standard, false, false}, kernel);
+  const auto sweeps = choose_sweeps<dim>({.standard = standard, .kernel = kernel});
   sweeps.gradient(cloud.with(cloud.gradient_sums));
   std::mt19937                           random(3);
   std::uniform_real_distribution<double> stress(-4e8, 4e8);
@@ -93,7 +93,7 @@ void stress_forces(const std::string &kernel, bool standard)
 
 TEST(Force, LinearAndAngularMomentum)
 {
-  for (const char *kernel : {"cubic", "wendland-c2"})
+  for (const char *kernel : {"cubic", "quintic", "wendland-c2", "wendland-c4"})
     for (bool standard : {false, true})
     {
       stress_forces<1>(kernel, standard);
@@ -126,30 +126,11 @@ TEST(Force, PairIsAntisymmetricToTheBit)
         cloud.set_rate(i, 1e3 * Mat3::NullaryExpr([&](auto, auto) { return u(random); }));
         cloud.force[i * Layout<3>::force_stride + Layout<3>::damage] = std::abs(u(random));
       }
-      choose_sweeps<3>({standard, false, true}, "cubic").force(cloud.with(cloud.force_sums));
+      choose_sweeps<3>({.standard = standard, .damage = true}).force(cloud.with(cloud.force_sums));
       EXPECT_GT(cloud.force_on(0).norm(), 0);
       for (int a = 0; a < 3; ++a)
         EXPECT_EQ(cloud.force_on(0)[a], -cloud.force_on(1)[a]);
     }
-}
-
-/// Velocities of rigid motion: no pair changes its length, the delta vanishes.
-TEST(Force, RigidMotionFeelsNoViscosity)
-{
-  auto       cloud = jittered<3>();
-  const Vec3 spin(300, -500, 800), drift(120, -70, 210);
-  for (std::size_t i = 0; i < cloud.size(); ++i)
-    cloud.v[i] = drift + spin.cross(cloud.x[i]);
-  cloud.pack();
-  const auto sweeps = choose_sweeps<3>({}, "cubic");
-  sweeps.gradient(cloud.with(cloud.gradient_sums));
-  for (std::size_t i = 0; i < cloud.size(); ++i)
-    cloud.set_rate(i, cloud.difference(i) * cloud.moment(i).inverse());
-  sweeps.force(cloud.with(cloud.force_sums));
-  // Scale: the same speeds in compression.
-  const double scale = 8930 * 4660 * spin.norm() * spacing * h * h;
-  for (std::size_t i = 0; i < cloud.size(); ++i)
-    EXPECT_LT(cloud.force_on(i).norm(), 1e-12 * scale);
 }
 
 /// The high-pass filter of numerics.md section 3 on a 1-D lattice, h = h_c = 1.3
@@ -162,7 +143,7 @@ TEST(Correction, KeepsWhatTheLatticeFilterKeeps)
   {
     Cloud<1> cloud(box<1>(Vec3::Zero(), Vec3(128 * spacing, 0, 0), spacing, copper()), h);
     cloud.pack();
-    const auto sweeps = choose_sweeps<1>({false, true, false}, "cubic");
+    const auto sweeps = choose_sweeps<1>({.correction = "pairwise"});
     sweeps.gradient(cloud.with(cloud.gradient_sums));
     const double self = KernelAt<CubicSpline, 1>(h).value(0.);
     for (std::size_t i = 0; i < cloud.size(); ++i)
@@ -184,7 +165,7 @@ TEST(Correction, IsSelfAdjointKillsConstantsAndDissipates)
   using L    = Layout<3>;
   auto cloud = jittered<3>();
   cloud.pack();
-  const auto sweeps = choose_sweeps<3>({false, true, false}, "cubic");
+  const auto sweeps = choose_sweeps<3>({.correction = "pairwise"});
   sweeps.gradient(cloud.with(cloud.gradient_sums));
   std::mt19937                           random(17);
   std::uniform_real_distribution<double> u(-1, 1);

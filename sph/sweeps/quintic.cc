@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sph/choose_sweeps.h"
+
+namespace ogive::sph::detail
+{
+template SweepFunctions sweeps_of<1, QuinticSpline>(const SweepChoice &);
+template SweepFunctions sweeps_of<2, QuinticSpline>(const SweepChoice &);
+template SweepFunctions sweeps_of<3, QuinticSpline>(const SweepChoice &);
+} // namespace ogive::sph::detail

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sph/correction/sensor.h"
+#include "sph/implementation.h"
+#include "sph/viscosity/viscosities.h"
+
+#include <Eigen/Dense>
+
+namespace ogive::sph
+{
+template <int dim>
+void Solver<dim>::Implementation::forces()
+{
+  if (sensed)
+    sense();
+  pack_viscosity();
+  for (const auto &b : bodies)
+    b.sweeps.force(sweep_of(b, pairs, force_sums.data()));
+  sweep_images(&SweepFunctions::force, &Images::forces);
+  if (parameters.options.artificial_stress > 0)
+    stress_artificially();
+  sweep_viscosity();
+  add_images(&Images::forces, L::forces_stride, L::hourglass_rate, L::n_forces, force_sums);
+  if (correction)
+    correct();
+  add_images(&Images::forces, L::forces_stride, L::f_sum, L::f_sum + dim, force_sums);
+}
+
+template <int dim>
+ViscousPoint<dim> Solver<dim>::Implementation::viscous_point(const Body &b, std::size_t i) const
+{
+  ViscousPoint<dim> p;
+  p.gradient = Eigen::Map<const Matrix>(&velocity_gradient[i * dim * dim]);
+  if (sensed)
+    for (int a = 0; a < dim; ++a)
+      p.divergence_gradient[a] = sensor_sums[i * SensorLayout<dim>::sums_stride + SensorLayout<dim>::slope + a];
+  p.density = force_records[i * L::force_stride + L::density];
+  p.sound   = store.points.sound_speed[i];
+  p.h       = b.h;
+  return p;
+}
+
+template <int dim>
+void Solver<dim>::Implementation::sense()
+{
+  using S             = SensorLayout<dim>;
+  const std::size_t n = store.size();
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const double *motion = &force_records[i * L::force_stride];
+    double       *r      = &sensor_records[i * S::stride];
+    for (int a = 0; a < dim; ++a)
+      r[S::x + a] = motion[L::x + a];
+    r[S::volume]     = store.mass[i] / motion[L::density];
+    r[S::divergence] = Eigen::Map<const Matrix>(&velocity_gradient[i * dim * dim]).trace();
+  }
+  for (std::size_t g = 0; g < ghosts.size(); ++g)
+  {
+    const double *from = &sensor_records[ghosts.parent[g] * S::stride];
+    double       *to   = image_record(sensor_records, S::stride, g);
+    for (int a = 0; a < dim; ++a)
+      to[S::x + a] = force_records[(n + g) * L::force_stride + L::x + a];
+    to[S::volume]     = share(g) * from[S::volume];
+    to[S::divergence] = from[S::divergence];
+  }
+  sweep_all(&SweepFunctions::sensor, sensor_sums, S::sums_stride, S::n_sums);
+}
+
+/// The switch with a memory, once a step.
+template <int dim>
+void Solver<dim>::Implementation::advance_switch(double dt)
+{
+  if (parameters.options.viscosity_switch != "cullen-dehnen")
+    return;
+  for (const auto &b : bodies)
+    for (std::size_t i = b.first; i < b.last; ++i)
+    {
+      const auto p           = viscous_point(b, i);
+      store.switch_factor[i] = cullen_dehnen(p, store.switch_factor[i], store.divergence[i], dt);
+      store.divergence[i]    = p.divergence();
+    }
+}
+
+template <int dim>
+double Solver<dim>::Implementation::strength(std::size_t i, const ViscousPoint<dim> &p) const
+{
+  const auto &name = parameters.options.viscosity_switch;
+  return name == "balsara"             ? balsara(p) :
+         name == "divergence-gradient" ? divergence_gradient(p) :
+         name == "cullen-dehnen"       ? store.switch_factor[i] :
+                                         1.;
+}
+
+template <int dim>
+double Solver<dim>::Implementation::shock_share(const Body &b, std::size_t i, const ViscousPoint<dim> &p) const
+{
+  using S       = SensorLayout<dim>;
+  const auto &o = parameters.options;
+  if (o.shock_split == "compression")
+    return compression_sensor(p, o.split_compression);
+  if (o.shock_split != "sharp")
+    return 0;
+  const double *sums = &sensor_sums[i * S::sums_stride];
+  return sharp_sensor(p, sums[S::jump], sums[S::size], shares.weight / std::pow(b.spacing, dim),
+                      o.split_ratio * shares.offset);
+}
+
+template <int dim>
+void Solver<dim>::Implementation::pack_viscosity()
+{
+  const auto       &o = parameters.options;
+  const std::size_t n = store.size();
+  with_viscosity<dim>(o.viscosity, [&](auto law) {
+    using Law          = decltype(law);
+    constexpr int rate = V::extra + Law::n_fields;
+    for (const auto &b : bodies)
+      for (std::size_t i = b.first; i < b.last; ++i)
+      {
+        const auto    p      = viscous_point(b, i);
+        const double *motion = &force_records[i * L::force_stride];
+        double       *r      = &viscous_records[i * V::stride];
+        std::copy(motion, motion + 2 * dim, r);
+        r[V::mass]     = store.mass[i];
+        r[V::density]  = p.density;
+        r[V::sound]    = p.sound;
+        r[V::strength] = strength(i, p);
+        r[V::split]    = shock_share(b, i, p);
+        Law{o.alpha, o.beta, b.h}.prepare(p, r + V::extra);
+        std::copy(motion + L::rate, motion + L::rate + L::n_sym, r + rate);
+      }
+    for (std::size_t g = 0; g < ghosts.size(); ++g)
+    {
+      const double *from = &viscous_records[ghosts.parent[g] * V::stride];
+      double       *to   = image_record(viscous_records, V::stride, g);
+      const auto   &s    = ghosts.sign[g];
+      std::copy(from, from + V::stride, to);
+      const double *motion = &force_records[(n + g) * L::force_stride];
+      std::copy(motion, motion + 2 * dim, to);
+      to[V::mass] *= share(g);
+      for (int a = 0; a < dim; ++a)
+        for (int c = 0; c < dim; ++c)
+        {
+          if (Law::n_fields == dim * dim && dim > 1)
+            to[V::extra + a * dim + c] = s[a] * s[c] * from[V::extra + a * dim + c];
+          to[rate + L::sym(a, c)] = s[a] * s[c] * from[rate + L::sym(a, c)];
+        }
+    }
+  });
+}
+
+template <int dim>
+void Solver<dim>::Implementation::sweep_viscosity()
+{
+  for (const auto &b : bodies)
+    b.sweeps.viscous(sweep_of(b, pairs, viscous_sums.data()));
+  sweep_images(&SweepFunctions::viscous, &Images::sums);
+  // What images press directly belongs to the forces on the walls.
+  for (auto &m : images)
+    for (std::size_t i = 0; i < m.forces.size() / L::forces_stride; ++i)
+      for (int a = 0; a < dim; ++a)
+        m.forces[i * L::forces_stride + L::f_sum + a] += m.sums[i * V::sums_stride + V::direct_sum + a];
+  add_images(&Images::sums, V::sums_stride, V::weak_sum, V::n_sums, viscous_sums);
+  for (std::size_t i = 0; i < store.size(); ++i)
+    for (int a = 0; a < dim; ++a)
+      force_sums[i * L::forces_stride + L::f_sum + a] += viscous_sums[i * V::sums_stride + V::direct_sum + a];
+}
+
+template <int dim>
+void Solver<dim>::Implementation::stress_artificially()
+{
+  using S             = StressLayout<dim>;
+  const std::size_t n = store.size();
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const double *motion = &force_records[i * L::force_stride];
+    double       *r      = &stress_records[i * S::stride];
+    std::copy(motion, motion + dim, r + S::x);
+    r[S::volume] = store.mass[i] / motion[L::density];
+    Eigen::SelfAdjointEigenSolver<Matrix> solver;
+    solver.computeDirect(store.points.stress(i).matrix().template topLeftCorner<dim, dim>());
+    const Matrix tension = solver.eigenvectors() * solver.eigenvalues().cwiseMax(0.).asDiagonal() *
+                           solver.eigenvectors().transpose();
+    for (int a = 0; a < dim; ++a)
+      for (int c = a; c < dim; ++c)
+        r[S::r + L::sym(a, c)] = -parameters.options.artificial_stress * tension(a, c);
+  }
+  for (std::size_t g = 0; g < ghosts.size(); ++g)
+  {
+    const double *from = &stress_records[ghosts.parent[g] * S::stride];
+    double       *to   = image_record(stress_records, S::stride, g);
+    const auto   &s    = ghosts.sign[g];
+    const double *motion = &force_records[(n + g) * L::force_stride];
+    std::copy(motion, motion + dim, to + S::x);
+    to[S::volume] = share(g) * from[S::volume];
+    for (int a = 0; a < dim; ++a)
+      for (int c = a; c < dim; ++c)
+        to[S::r + L::sym(a, c)] = s[a] * s[c] * from[S::r + L::sym(a, c)];
+  }
+  for (const auto &b : bodies)
+    b.sweeps.artificial_stress(sweep_of(b, pairs, force_sums.data()));
+  sweep_images(&SweepFunctions::artificial_stress, &Images::forces);
+}
+
+#define OGIVE_INSTANTIATE(d)                                                                                 \
+  template void   Solver<d>::Implementation::forces();                                                       \
+  template void   Solver<d>::Implementation::advance_switch(double);
+OGIVE_INSTANTIATE(1)
+OGIVE_INSTANTIATE(2)
+OGIVE_INSTANTIATE(3)
+#undef OGIVE_INSTANTIATE
+} // namespace ogive::sph
