@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "apps/chart/measures.h"
+#include "apps/chart/plot.h"
+
+#include <string>
+
+namespace ogive::chart
+{
+/// A chart of one case. Rows that cannot be shown are named in its notes.
+Plot make_plot(const Results &, const ChartSpec &, const std::string &case_name);
+
+/// Titles of the row's levels along these axes, "-" where one is not used.
+std::vector<std::string> level_titles(const Study &, const Row &, const std::vector<std::string> &axes);
+} // namespace ogive::chart
