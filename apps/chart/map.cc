@@ -41,7 +41,7 @@ SurvivalMap::Cell make_cell(const Results &r, const Case &c, const std::string &
   if (!metric.empty() && s.least)
   {
     const std::string unit = unit_of(c, metric);
-    cell.metric = shown(*s.least, unit) + (*s.least < *s.greatest ? " .. " + shown(*s.greatest, unit) : "");
+    cell.metric = *s.least < *s.greatest ? shown_range(*s.least, *s.greatest, unit) : shown(*s.least, unit);
   }
   return cell;
 }
@@ -86,7 +86,7 @@ SurvivalMap make_map(const Results &r, const MapSpec &spec)
         if (key_of(i) == keys[k])
           mine.push_back(i);
       if (!mine.empty())
-        map.columns[k] = level_titles(r.study, r.rows[mine.front()], spec.columns);
+        map.columns[k] = configuration(r.study, r.rows[mine.front()], spec.columns);
       line.cells.push_back(make_cell(r, c, line.metric, mine));
     }
     map.lines.push_back(std::move(line));
@@ -94,60 +94,82 @@ SurvivalMap make_map(const Results &r, const MapSpec &spec)
   return map;
 }
 
-std::string draw(const SurvivalMap &map)
+namespace
 {
-  constexpr double margin = 20, cell_height = 44;
-  double           side = 120, column = 110;
-  std::size_t      head = 1;
-  for (const SurvivalMap::Line &l : map.lines)
+constexpr double      margin = 20, cell_height = 44;
+constexpr std::size_t head_width = 17, side_width = 34; ///< letters
+
+/// Sizes of the picture, and the heads of its columns line by line.
+struct Layout
+{
+  explicit Layout(const SurvivalMap &map)
   {
-    for (const std::string &part : wrapped(l.title, 34))
-      side = std::max(side, text_width(part) + 16);
-    side = std::max(side, text_width(l.metric, 11) + 16);
-    for (const SurvivalMap::Cell &c : l.cells)
-      column = std::max(column, text_width(c.metric, 11) + 16);
-  }
-  for (const auto &titles : map.columns)
-  {
-    head = std::max(head, titles.size());
-    for (const std::string &t : titles)
-      column = std::max(column, text_width(t) + 12);
+    for (const SurvivalMap::Line &l : map.lines)
+    {
+      for (const std::string &part : wrapped(l.title, side_width))
+        side = std::max(side, text_width(part) + 16);
+      side = std::max(side, text_width(l.metric, 11) + 16);
+      for (const SurvivalMap::Cell &c : l.cells)
+        column = std::max(column, text_width(c.metric, 11) + 12);
+    }
+    std::size_t most = 1;
+    for (const auto &titles : map.columns)
+    {
+      heads.emplace_back();
+      for (const std::string &t : titles)
+        for (const std::string &part : wrapped(t, head_width))
+        {
+          heads.back().push_back(part);
+          column = std::max(column, text_width(part) + 10);
+        }
+      most = std::max(most, heads.back().size());
+    }
+    top = 54 + 16 * static_cast<double>(most);
   }
 
+  double left(std::size_t k) const { return margin + side + column * static_cast<double>(k); }
+
+  double                                side = 120, column = 96, top = 0;
+  std::vector<std::vector<std::string>> heads;
+};
+
+void draw_cell(Svg &svg, const SurvivalMap::Cell &c, double x, double y, double width, double height)
+{
+  // light blue and strong orange differ in brightness too
+  const char *fill = c.state == State::survived ? "#cfe6f5" : c.state == State::failed ? "#f2a15f" : "#f4f4f4";
+  const char *text = c.state == State::failed ? "font-weight=\"bold\"" : c.state == State::left_out ? "fill=\"#777\"" : "";
+  svg.rectangle(x + 1, y + 1, width - 2, height - 2, fill);
+  svg.text(x + width / 2, y + height / 2 + (c.metric.empty() ? 4 : -3), state_text(c), Anchor::middle, 12, text);
+  if (!c.metric.empty())
+    svg.text(x + width / 2, y + height / 2 + 13, c.metric, Anchor::middle, 11);
+}
+} // namespace
+
+std::string draw(const SurvivalMap &map)
+{
+  const Layout layout(map);
   Svg          svg;
-  const double left = margin + side, top = 54 + 16 * static_cast<double>(head);
   svg.text(margin, 28, map.title, Anchor::start, 15, "font-weight=\"bold\"");
-  for (std::size_t k = 0; k < map.columns.size(); ++k)
-    for (std::size_t t = 0; t < map.columns[k].size(); ++t)
-      svg.text(left + column * (static_cast<double>(k) + .5),
-               top - 8 - 16 * static_cast<double>(map.columns[k].size() - 1 - t), map.columns[k][t], Anchor::middle);
-  double y = top;
+  for (std::size_t k = 0; k < layout.heads.size(); ++k)
+    for (std::size_t t = 0; t < layout.heads[k].size(); ++t)
+      svg.text(layout.left(k) + layout.column / 2,
+               layout.top - 8 - 16 * static_cast<double>(layout.heads[k].size() - 1 - t), layout.heads[k][t],
+               Anchor::middle);
+  double y = layout.top;
   for (const SurvivalMap::Line &l : map.lines)
   {
-    const auto   title  = wrapped(l.title, 34);
-    const double height = std::max(cell_height, 16. * static_cast<double>(title.size() + !l.metric.empty()) + 10);
+    const auto   title  = wrapped(l.title, side_width);
+    const double lines  = static_cast<double>(title.size() + !l.metric.empty());
+    const double height = std::max(cell_height, 16 * lines + 10);
     for (std::size_t t = 0; t < title.size(); ++t)
       svg.text(margin, y + 17 + 15 * static_cast<double>(t), title[t]);
     if (!l.metric.empty())
-      svg.text(margin, y + 17 + 15 * static_cast<double>(title.size()), l.metric, Anchor::start, 11, "fill=\"#666\"");
+      svg.text(margin, y + 17 + 15 * static_cast<double>(title.size()), l.metric, Anchor::start, 11, "fill=\"#555\"");
     for (std::size_t k = 0; k < l.cells.size(); ++k)
-    {
-      const SurvivalMap::Cell &c = l.cells[k];
-      const double             x = left + column * static_cast<double>(k), middle = x + column / 2;
-      // light blue and strong orange differ in brightness too
-      svg.rectangle(x + 1, y + 1, column - 2, height - 2,
-                    c.state == State::survived ? "#cfe6f5" :
-                    c.state == State::failed   ? "#f2a15f" :
-                                                 "#f4f4f4");
-      const bool bold = c.state == State::failed;
-      svg.text(middle, y + (c.metric.empty() ? height / 2 + 4 : height / 2 - 3), state_text(c), Anchor::middle, 12,
-               bold ? "font-weight=\"bold\"" : c.state == State::left_out ? "fill=\"#888\"" : "");
-      if (!c.metric.empty())
-        svg.text(middle, y + height / 2 + 13, c.metric, Anchor::middle, 11);
-    }
+      draw_cell(svg, l.cells[k], layout.left(k), y, layout.column, height);
     y += height;
   }
-  return svg.finish(std::max(800., left + column * static_cast<double>(map.columns.size()) + margin), y + margin);
+  return svg.finish(std::max(800., layout.left(map.columns.size()) + margin), y + margin);
 }
 
 std::string markdown(const SurvivalMap &map)

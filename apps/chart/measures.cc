@@ -87,7 +87,7 @@ std::vector<std::vector<std::size_t>> groups_along(const Results &r, std::span<c
 
 std::optional<double> Spread::value() const
 {
-  if (!least || !greatest || with_value < rows)
+  if (!least || !greatest || with_value < rows || rows < 2)
     return {};
   return *greatest - *least;
 }

@@ -34,7 +34,7 @@ struct Spread
 {
   std::size_t           rows = 0, with_value = 0;
   std::optional<double> least, greatest; ///< of the quantity
-  std::optional<double> value() const;   ///< greatest - least; nothing unless all rows have a value
+  std::optional<double> value() const;   ///< greatest - least; nothing for one row, or where a row has no value
 };
 Spread spread_of(const Results &, std::span<const std::size_t> rows, const std::string &quantity);
 

@@ -6,6 +6,7 @@
 #include "core/input/listing.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <map>
 
@@ -156,6 +157,8 @@ std::string why_missing(const Results &r, const Raw &p, const ChartSpec &chart)
   for (const std::size_t i : p.rows)
     if (r.outcomes[i].status != Status::done)
       return describe(r.outcomes[i].status);
+  if (chart.y.kind == Kind::spread && p.rows.size() < 2)
+    return "a spread of one row";
   if (!p.x || !std::isfinite(*p.x))
     return "no value of \"" + chart.x.text + "\"";
   if (!p.y || !std::isfinite(*p.y))
@@ -199,6 +202,16 @@ std::vector<std::string> level_titles(const Study &s, const Row &row, const std:
   return titles;
 }
 
+std::vector<std::string> configuration(const Study &s, const Row &row, const std::vector<std::string> &axes)
+{
+  std::vector<std::string> titles = level_titles(s, row, axes);
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    if (!titles[i].empty() && std::isdigit(static_cast<unsigned char>(titles[i].back())) &&
+        titles[i].find_first_not_of("+-.0123456789eE") == std::string::npos)
+      titles[i] = s.axes[static_cast<std::size_t>(s.axis_index(axes[i]))].title + " " + titles[i];
+  return titles;
+}
+
 Plot make_plot(const Results &r, const ChartSpec &chart, const std::string &case_name)
 {
   const Case                    &c    = *r.study.find_case(case_name);
@@ -234,7 +247,7 @@ Plot make_plot(const Results &r, const ChartSpec &chart, const std::string &case
     {
       keys.push_back(key);
       plot.series.emplace_back();
-      plot.series.back().name = input::join(level_titles(r.study, r.rows[i], axes));
+      plot.series.back().name = input::join(configuration(r.study, r.rows[i], axes));
       style(plot.series.back(), r, i, axes, static_cast<int>(keys.size()) - 1);
     }
   for (const Raw &p : raw)

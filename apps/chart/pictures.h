@@ -13,4 +13,8 @@ Plot make_plot(const Results &, const ChartSpec &, const std::string &case_name)
 
 /// Titles of the row's levels along these axes, "-" where one is not used.
 std::vector<std::string> level_titles(const Study &, const Row &, const std::vector<std::string> &axes);
+
+/// The same for a text where the axes are not named: a bare number follows its
+/// axis' title, "alpha 0.5".
+std::vector<std::string> configuration(const Study &, const Row &, const std::vector<std::string> &axes);
 } // namespace ogive::chart

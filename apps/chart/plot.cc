@@ -13,6 +13,7 @@ namespace ogive::chart
 namespace
 {
 constexpr double      width = 800, left = 86, right = 24, plot_height = 380;
+constexpr double      inset = 10; ///< keeps markers off the frame
 constexpr const char *grey = "#444", *light = "#e2e2e2";
 
 Scale scale_of(const Plot &plot, double Plot::Point::*member, bool log)
@@ -38,8 +39,8 @@ public:
     , y_(scale_of(plot, &Plot::Point::y, plot.y_log))
   {}
 
-  double x(double v) const { return left + x_.at(v) * (width - left - right); }
-  double y(double v) const { return top_ + (1 - y_.at(v)) * plot_height; }
+  double x(double v) const { return left + inset + x_.at(v) * (width - left - right - 2 * inset); }
+  double y(double v) const { return top_ + inset + (1 - y_.at(v)) * (plot_height - 2 * inset); }
 
   void draw(Svg &svg, const Plot &plot) const
   {

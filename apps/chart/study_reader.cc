@@ -68,8 +68,12 @@ void outline_case(Case &c, const Study &s, const Listing &listing)
   for (const std::string &name : judged)
   {
     const auto known = std::find_if(c.known.begin(), c.known.end(), [&](const Measured &m) { return m.name == name; });
+    if (known == c.known.end())
+      throw InputError(listing.where(section, "quantities"), "\"" + name + "\" is not known here",
+                       "out of the observers and checks " + join(names_of(c.known)),
+                       input::did_you_mean(name, names_of(c.known)));
     c.quantities.emplace_back();
-    static_cast<Measured &>(c.quantities.back()) = known == c.known.end() ? Measured{name, units::none} : *known;
+    static_cast<Measured &>(c.quantities.back()) = *known;
   }
 }
 

@@ -97,6 +97,8 @@ std::string spread_table(const Results &r, const Case &c, const std::vector<std:
   std::string text = "Spread (greatest less least) over " + axis_title(r.study, over) + ":\n\n" + markdown_head(head);
   for (const auto &group : groups_along(r, rows, over))
   {
+    if (group.size() < 2)
+      continue; // nothing varies
     std::vector<std::string> cells = level_titles(r.study, r.rows[group.front()], axes);
     cells.push_back(std::to_string(group.size()));
     for (const Judged &q : c.quantities)

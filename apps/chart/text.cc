@@ -34,6 +34,8 @@ ShownUnit shown_unit(double size, const std::string &unit)
   // 0.05 and 2000 read well as they are
   if (n >= -2 && n < 4 && (plain || (unit != "m" && unit != "s")))
     return {1, plain ? "" : unit};
+  if (unit == "m/s" && n > -4 && n < 4)
+    return {1, unit};
   const int power = std::clamp(floor_3(n), -12, 12);
   if (power == 0)
     return {1, plain ? "" : unit};
@@ -49,6 +51,14 @@ std::string shown(double value, const std::string &unit)
   const bool      plain = unit.empty() || unit == "1";
   const ShownUnit s     = plain ? ShownUnit{} : shown_unit(value, unit);
   return formatted("%.4g", value * s.factor) + (s.unit.empty() ? "" : " " + s.unit);
+}
+
+std::string shown_range(double least, double greatest, const std::string &unit)
+{
+  const bool      plain = unit.empty() || unit == "1";
+  const ShownUnit s     = plain ? ShownUnit{} : shown_unit(std::max(std::abs(least), std::abs(greatest)), unit);
+  return formatted("%.4g", least * s.factor) + " .. " + formatted("%.4g", greatest * s.factor) +
+         (s.unit.empty() ? "" : " " + s.unit);
 }
 
 std::string percent(double share)

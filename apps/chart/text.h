@@ -19,6 +19,9 @@ ShownUnit shown_unit(double size, const std::string &unit);
 /// Four figures with a unit: "21.42 mm".
 std::string shown(double value, const std::string &unit);
 
+/// "21.42 .. 23 mm".
+std::string shown_range(double least, double greatest, const std::string &unit);
+
 /// "+.0123" as "+1.23 %".
 std::string percent(double share);
 

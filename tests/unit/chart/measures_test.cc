@@ -56,6 +56,8 @@ TEST(Measures, SpreadIsGreatestLessLeast)
   EXPECT_NEAR(*spread_of(e.results(), groups[1], "tip").value(), .002, 1e-15);
   EXPECT_EQ(groups_along(e.results(), rows_of(e.results(), "bar"), "method").size(), 3u);
 
+  // one row alone spreads nothing, which must not pass for insensitivity
+  EXPECT_FALSE(spread_of(e.results(), std::vector<std::size_t>{3}, "tip").value());
   // a group that lacks a row has no spread: it would look too good
   e.outcomes[4].status = Status::failed;
   const Spread s       = spread_of(e.results(), groups[1], "tip");
@@ -143,7 +145,7 @@ TEST(Maps, ABoundDecides)
   using State           = SurvivalMap::State;
   // columns by level: the rod's, without a method, come first
   ASSERT_EQ(map.columns.size(), 9u);
-  EXPECT_EQ(map.columns[3], (std::vector<std::string>{"fem", "0.5"}));
+  EXPECT_EQ(map.columns[3], (std::vector<std::string>{"fem", "alpha 0.5"}));
   EXPECT_EQ(map.lines[0].cells[0].state, State::left_out);
   EXPECT_EQ(map.lines[0].cells[3].why, "failed: the step fell");
   EXPECT_EQ(map.lines[0].cells[6].state, State::survived); // 23 mm
@@ -155,5 +157,5 @@ TEST(Maps, ABoundDecides)
   const auto        coarse = make_map(e.results(), m).lines[0].cells;
   EXPECT_EQ(coarse[2].state, State::failed);
   EXPECT_EQ(coarse[2].failed, 2u); // 24 and 25 of 23, 24, 25 mm
-  EXPECT_NE(markdown(make_map(e.results(), m)).find("**failed 2 of 3**, 23 mm .. 25 mm"), std::string::npos);
+  EXPECT_NE(markdown(make_map(e.results(), m)).find("**failed 2 of 3**, 23 .. 25 mm"), std::string::npos);
 }
