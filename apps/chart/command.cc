@@ -60,6 +60,9 @@ void print(const Results &r, const Matrix &matrix, std::size_t run, const StudyD
     std::printf("  and %zu more, see chart.csv\n", listed - 10);
   std::printf("  %zu rows run now, %zu known from before; %zu combinations left out by the study\n", run,
               r.rows.size() - run, matrix.skipped);
+  if (run < r.rows.size() && std::string(OGIVE_COMMIT).ends_with("-dirty"))
+    std::printf("  note: this program has changes that are not committed, so the known rows may be of another build; "
+                "--force runs all again\n");
   std::printf("  written to %s:", directory.path().c_str());
   for (std::size_t i = 0; i < names.size(); ++i)
     std::printf("%s %s", i == 0 ? "" : ",", names[i].c_str());

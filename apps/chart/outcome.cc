@@ -83,7 +83,8 @@ void read_summary(const std::string &file, Outcome &o)
     o.particles = all.at("counts").at("particles").get<std::int64_t>();
     o.elements  = all.at("counts").at("elements").get<std::int64_t>();
     for (const auto &[name, q] : all.at("quantities").items())
-      o.quantities.push_back({name, text(q.at("unit")), text(q.at("kind")), number(q.at("value")), number(q.at("reference"))});
+      o.quantities.push_back({name, text(q.at("unit")), text(q.at("kind")), number(q.at("value")),
+                              number(q.at("reference")), text(q.at("source"))});
     for (const std::string &name : check_names())
       o.checks.push_back({name, number(all.at("checks").at(name))});
   }

@@ -25,6 +25,7 @@ struct Outcome
   {
     std::string           name, unit, kind;
     std::optional<double> value, reference;
+    std::string           source = {};
   };
   struct Check
   {

@@ -206,11 +206,63 @@ std::vector<std::string> configuration(const Study &s, const Row &row, const std
 {
   std::vector<std::string> titles = level_titles(s, row, axes);
   for (std::size_t i = 0; i < axes.size(); ++i)
-    if (!titles[i].empty() && std::isdigit(static_cast<unsigned char>(titles[i].back())) &&
-        titles[i].find_first_not_of("+-.0123456789eE") == std::string::npos)
-      titles[i] = s.axes[static_cast<std::size_t>(s.axis_index(axes[i]))].title + " " + titles[i];
+  {
+    const std::string &axis = s.axes[static_cast<std::size_t>(s.axis_index(axes[i]))].title;
+    if (level_name(s, row, axes[i]).empty())
+      titles[i] = axis + " as in the scene";
+    else if (std::isdigit(static_cast<unsigned char>(titles[i].back())) &&
+             titles[i].find_first_not_of("+-.0123456789eE") == std::string::npos)
+      titles[i] = axis + " " + titles[i];
+  }
   return titles;
 }
+
+namespace
+{
+/// A curve in the making.
+struct Curve
+{
+  std::vector<std::string> key; ///< levels of the axes that tell the curves apart
+  Plot::Series             series;
+  std::vector<Raw>         points;
+};
+
+/// Curves keep their style even where their points are missing.
+std::vector<Curve> make_curves(const Results &r, const std::vector<std::size_t> &rows, const std::vector<Raw> &points,
+                               const std::vector<std::string> &axes)
+{
+  std::vector<Curve> curves;
+  const auto         find = [&](const std::vector<std::string> &key) {
+    return std::find_if(curves.begin(), curves.end(), [&](const Curve &c) { return c.key == key; });
+  };
+  for (const std::size_t i : rows)
+    if (const auto key = level_names(r.study, r.rows[i], axes); find(key) == curves.end())
+    {
+      Curve &c      = curves.emplace_back();
+      c.key         = key;
+      c.series.name = input::join(configuration(r.study, r.rows[i], axes));
+      style(c.series, r, i, axes, static_cast<int>(curves.size()) - 1);
+    }
+  for (const Raw &p : points)
+    find(level_names(r.study, r.rows[p.rows.front()], axes))->points.push_back(p);
+  return curves;
+}
+
+/// Gives the curve its points as they are shown.
+void place_points(Curve &c, const Results &r, const Shown &x, const Shown &y, bool in_order_of_x)
+{
+  if (in_order_of_x)
+    std::stable_sort(c.points.begin(), c.points.end(), [](const Raw &a, const Raw &b) { return *a.x < *b.x; });
+  std::vector<std::size_t> rows;
+  for (const Raw &p : c.points)
+  {
+    rows.push_back(p.rows.front());
+    c.series.points.push_back({*p.x * x.factor, *p.y * y.factor, r.rows[p.rows.front()].name});
+  }
+  // a line says that the points differ in one thing alone
+  c.series.line = varied_axes(r, rows).size() <= 1;
+}
+} // namespace
 
 Plot make_plot(const Results &r, const ChartSpec &chart, const std::string &case_name)
 {
@@ -226,49 +278,29 @@ Plot make_plot(const Results &r, const ChartSpec &chart, const std::string &case
   });
 
   Plot plot;
-  plot.title        = chart.title;
-  plot.subtitle     = c.title;
-  plot.x_log        = chart.x_log;
-  plot.y_log        = chart.y_log;
-  const Shown x     = show_axis(r.study, c, chart.x, chart.x_log, raw, &Raw::x);
-  const Shown y     = show_axis(r.study, c, chart.y, chart.y_log, raw, &Raw::y);
-  plot.x_label      = x.label;
-  plot.y_label      = y.label;
-  const auto varied = varied_axes(r, rows);
+  plot.title    = chart.title;
+  plot.subtitle = c.title;
+  plot.x_log    = chart.x_log;
+  plot.y_log    = chart.y_log;
+  plot.notes    = missing.notes();
+  const Shown x = show_axis(r.study, c, chart.x, chart.x_log, raw, &Raw::x);
+  const Shown y = show_axis(r.study, c, chart.y, chart.y_log, raw, &Raw::y);
+  plot.x_label  = x.label;
+  plot.y_label  = y.label;
 
-  std::vector<std::string> axes;
-  for (const std::string &a : chart.series)
-    if (std::find(varied.begin(), varied.end(), a) != varied.end())
-      axes.push_back(a);
-  std::vector<std::vector<std::string>>              keys;
-  std::map<std::vector<std::string>, std::vector<Raw>> members;
-  for (const std::size_t i : rows) // series keep their style even where their points are missing
-    if (const auto key = level_names(r.study, r.rows[i], axes); members.emplace(key, std::vector<Raw>()).second)
-    {
-      keys.push_back(key);
-      plot.series.emplace_back();
-      plot.series.back().name = input::join(configuration(r.study, r.rows[i], axes));
-      style(plot.series.back(), r, i, axes, static_cast<int>(keys.size()) - 1);
-    }
-  for (const Raw &p : raw)
-    members[level_names(r.study, r.rows[p.rows.front()], axes)].push_back(p);
-
-  for (std::size_t k = 0; k < keys.size(); ++k)
+  std::vector<std::string> axes = varied_axes(r, rows);
+  std::erase_if(axes, [&](const std::string &a) {
+    return std::find(chart.series.begin(), chart.series.end(), a) == chart.series.end();
+  });
+  // in the order of the chart, which decides what colours and markers tell
+  std::sort(axes.begin(), axes.end(), [&](const std::string &a, const std::string &b) {
+    return std::find(chart.series.begin(), chart.series.end(), a) < std::find(chart.series.begin(), chart.series.end(), b);
+  });
+  for (Curve &curve : make_curves(r, rows, raw, axes))
   {
-    std::vector<Raw> &mine = members[keys[k]];
-    if (chart.x.kind == Kind::axis_number)
-      std::stable_sort(mine.begin(), mine.end(), [](const Raw &a, const Raw &b) { return *a.x < *b.x; });
-    std::vector<std::size_t> all;
-    for (const Raw &p : mine)
-    {
-      all.push_back(p.rows.front());
-      const std::string &row = r.rows[p.rows.front()].name;
-      plot.series[k].points.push_back({*p.x * x.factor, *p.y * y.factor, row});
-    }
-    // a line says that the points differ in one thing alone
-    plot.series[k].line = varied_axes(r, all).size() <= 1;
+    place_points(curve, r, x, y, chart.x.kind == Kind::axis_number);
+    plot.series.push_back(std::move(curve.series));
   }
-  plot.notes = missing.notes();
   return plot;
 }
 } // namespace ogive::chart

@@ -15,6 +15,6 @@ Plot make_plot(const Results &, const ChartSpec &, const std::string &case_name)
 std::vector<std::string> level_titles(const Study &, const Row &, const std::vector<std::string> &axes);
 
 /// The same for a text where the axes are not named: a bare number follows its
-/// axis' title, "alpha 0.5".
+/// axis' title, "alpha 0.5", and an axis that is not used is "alpha as in the scene".
 std::vector<std::string> configuration(const Study &, const Row &, const std::vector<std::string> &axes);
 } // namespace ogive::chart

@@ -118,9 +118,9 @@ double draw_legend(Svg &svg, const Plot &plot, double top)
 std::string draw(const Plot &plot)
 {
   Svg    svg;
-  double top = 14;
+  double top = 10;
   for (const std::string &line : wrapped(plot.title, 80))
-    svg.text(left, top += 14, line, Anchor::start, 15, "font-weight=\"bold\"");
+    svg.text(left, top += 18, line, Anchor::start, 15, "font-weight=\"bold\"");
   for (const std::string &line : wrapped(plot.subtitle, 100))
     svg.text(left, top += 17, line, Anchor::start, 12, "fill=\"#555\"");
   top += 18;
@@ -136,7 +136,7 @@ std::string draw(const Plot &plot)
   if (!any)
     svg.text((left + width - right) / 2, top + plot_height / 2, "nothing to show", Anchor::middle, 15);
 
-  double y = draw_legend(svg, plot, top + plot_height + 68) + 4;
+  double y = draw_legend(svg, plot, top + plot_height + 68) + 8;
   for (const std::string &note : plot.notes)
     for (const std::string &line : wrapped(note, 108))
     {

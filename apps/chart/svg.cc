@@ -155,6 +155,6 @@ std::string dash(int i)
 
 double text_width(const std::string &text, int size)
 {
-  return .62 * size * static_cast<double>(letters(text));
+  return .55 * size * static_cast<double>(letters(text));
 }
 } // namespace ogive::chart

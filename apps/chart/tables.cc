@@ -46,9 +46,9 @@ std::string references(const Results &r, const Case &c, const std::vector<std::s
       const auto     reference = reference_of(c, o, q.name);
       if (o.status != Status::done || !reference)
         continue;
-      const std::string kind = q.kind.empty() && o.find(q.name) ? o.find(q.name)->kind : q.kind;
-      text += "- " + q.name + ": reference " + shown(*reference, unit_of(c, q.name)) + ", " + kind +
-              (q.source.empty() ? "" : ": " + q.source) + "\n";
+      const Outcome::Quantity *of_scene = q.kind.empty() ? o.find(q.name) : nullptr;
+      text += "- " + q.name + ": reference " + shown(*reference, unit_of(c, q.name)) + ", " +
+              (of_scene ? of_scene->kind + ": " + of_scene->source : q.kind + ": " + q.source) + "\n";
       break;
     }
   return text.empty() ? "" : text + "\n";

@@ -146,6 +146,7 @@ TEST(Maps, ABoundDecides)
   // columns by level: the rod's, without a method, come first
   ASSERT_EQ(map.columns.size(), 9u);
   EXPECT_EQ(map.columns[3], (std::vector<std::string>{"fem", "alpha 0.5"}));
+  EXPECT_EQ(map.columns[0].front(), "method as in the scene");
   EXPECT_EQ(map.lines[0].cells[0].state, State::left_out);
   EXPECT_EQ(map.lines[0].cells[3].why, "failed: the step fell");
   EXPECT_EQ(map.lines[0].cells[6].state, State::survived); // 23 mm
