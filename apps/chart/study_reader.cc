@@ -238,9 +238,13 @@ std::string reference()
   s.maps.emplace_back().name                  = "MAP";
   input::Declarations declarations;
   study_fields(declarations, s);
+  // what stands in the example is no default
+  std::string entries = input::describe_entries(declarations);
+  for (const std::string example : {"| `AXIS` |", "| `CASE` |", "| `QUANTITY` |", "| `CHART` |", "| `MAP` |"})
+    for (std::size_t at = entries.find(example); at != std::string::npos; at = entries.find(example, at))
+      entries.replace(at, example.size(), "| not set |");
   return "\n# Entries of a study\n\n"
          "Read by `ogive chart`. AXIS, LEVEL, CASE, CHART and MAP stand for names of the lists of that kind, QUANTITY\n"
-         "for the name of an observer or a check; its `reference` and bounds have its dimension.\n" +
-         input::describe_entries(declarations);
+         "for the name of an observer or a check; its `reference` and bounds have its dimension.\n" + entries;
 }
 } // namespace ogive::chart

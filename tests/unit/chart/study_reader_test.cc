@@ -112,4 +112,5 @@ TEST_F(StudyFile, ReferenceTellsEveryEntry)
   const std::string text = reference();
   for (const char *word : {"row limit", "only with", "overrides at LEVEL", "error at most", "y scale", "Maps/MAP"})
     EXPECT_NE(text.find(word), std::string::npos) << word;
+  EXPECT_EQ(text.find("| `AXIS` |"), std::string::npos); // an example, no default
 }
