@@ -27,6 +27,14 @@ struct RestartArguments
   std::string from; ///< a checkpoint file; empty: the last one of the directory
 };
 
+struct ChartArguments
+{
+  std::string study;     ///< a .prm or .json file
+  std::string directory; ///< empty: results/chart-<study>
+  int         jobs  = 0; ///< runs side by side; 0: as many as cores
+  bool        force = false;
+};
+
 struct BenchArguments
 {
   int    sph_edge = 40; ///< particles along an edge of the block
@@ -38,6 +46,7 @@ struct BenchArguments
 void check(const SceneArguments &);
 void run(const RunArguments &);
 void restart(const RestartArguments &);
+void chart(const ChartArguments &);
 void materials(const std::string &name);
 void reference();
 void bench(const BenchArguments &);

@@ -47,11 +47,18 @@ int main(int argc, char *argv[])
   restart->add_option("DIR", restart_arguments.directory, "directory of the results")->required();
   restart->add_option("--from", restart_arguments.from, "checkpoint file (the last one of DIR)");
 
+  apps::ChartArguments chart_arguments;
+  CLI::App *chart = app.add_subcommand("chart", "run the variants of a study and draw accuracy against cost");
+  chart->add_option("STUDY", chart_arguments.study, "study file (.prm or .json)")->required();
+  chart->add_option("-o,--output", chart_arguments.directory, "directory of the results (results/chart-<study>)");
+  chart->add_option("-j,--jobs", chart_arguments.jobs, "runs side by side (one a core)")->check(CLI::Range(1, 1024));
+  chart->add_flag("--force", chart_arguments.force, "run every row again, replace other results in the directory");
+
   std::string material;
   CLI::App   *materials = app.add_subcommand("materials", "the library, with sources and valid ranges");
   materials->add_option("NAME", material, "one material in full");
 
-  CLI::App *reference = app.add_subcommand("reference", "every scene entry: unit, bounds, default, meaning");
+  CLI::App *reference = app.add_subcommand("reference", "every entry of scenes and studies: unit, bounds, default, meaning");
 
   apps::BenchArguments bench_arguments;
   CLI::App *bench = app.add_subcommand("bench", "throughput per kernel on this machine");
@@ -77,6 +84,8 @@ int main(int argc, char *argv[])
       apps::run(run_arguments);
     else if (*restart)
       apps::restart(restart_arguments);
+    else if (*chart)
+      apps::chart(chart_arguments);
     else if (*materials)
       apps::materials(material);
     else if (*reference)

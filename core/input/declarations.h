@@ -86,6 +86,9 @@ private:
   std::size_t depth_ = 0;
 };
 
+/// Tables of all declared entries, subsection by subsection. Markdown.
+std::string describe_entries(const Declarations &);
+
 /// Collects the names of entries, "Strength/yield stress".
 class Names : public Fields
 {

@@ -38,6 +38,14 @@ std::string describe_default(const DeclaredEntry &e)
   return s;
 }
 
+/// A bar would end the cell.
+std::string in_table(std::string text)
+{
+  for (std::size_t at = text.find('|'); at != std::string::npos; at = text.find('|', at + 2))
+    text.insert(at, "\\");
+  return text;
+}
+
 std::string quantity_table()
 {
   std::string s = "\n## Quantities of observers\n\n| quantity | unit | parameter | meaning |\n|---|---|---|---|\n";
@@ -48,16 +56,9 @@ std::string quantity_table()
 }
 } // namespace
 
-std::string reference()
+std::string describe_entries(const Declarations &declarations)
 {
-  Scene        s = specimen();
-  Declarations declarations;
-  scene_fields(declarations, s, 1);
-
-  std::string text = "# Entries of a scene\n\n"
-                     "Every value with a dimension carries its unit. NAME stands for a name of the list of that kind.\n"
-                     "An observer's `reference` and `parameter` have the dimension that its quantity asks for.\n";
-  std::string section = "-";
+  std::string text, section = "-";
   for (const DeclaredEntry &e : declarations.entries())
   {
     // each value of a material may have a source: one line says so for all
@@ -73,8 +74,20 @@ std::string reference()
         text += "| entry | expects | default | meaning |\n|---|---|---|---|\n";
     }
     if (!source)
-      text += "| `" + e.name + "` | " + e.rule().expectation() + " | " + describe_default(e) + " | " + e.meaning + " |\n";
+      text += "| `" + e.name + "` | " + in_table(e.rule().expectation()) + " | " + describe_default(e) + " | " +
+              e.meaning + " |\n";
   }
-  return text + quantity_table();
+  return text;
+}
+
+std::string reference()
+{
+  Scene        s = specimen();
+  Declarations declarations;
+  scene_fields(declarations, s, 1);
+  return "# Entries of a scene\n\n"
+         "Every value with a dimension carries its unit. NAME stands for a name of the list of that kind.\n"
+         "An observer's `reference` and `parameter` have the dimension that its quantity asks for.\n" +
+         describe_entries(declarations) + quantity_table();
 }
 } // namespace ogive::input
