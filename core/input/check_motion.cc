@@ -21,7 +21,8 @@ bool is_loaded(const Scene &s, const Body &b)
 /// Motion that is more than a translation cannot be judged by bounding boxes.
 bool moves_otherwise(const Scene &s, const Body &b)
 {
-  return !b.spin.isZero(0) || !b.velocity_field.empty() || b.has_initial_state() || is_loaded(s, b) || b.shape.kind == ShapeKind::mesh;
+  return !b.spin.isZero(0) || !b.velocity_field.empty() || b.has_initial_state() || is_loaded(s, b) ||
+         b.shape.kind == ShapeKind::mesh;
 }
 
 void check_planes(const Scene &s, const Body &b, const Listing &listing)

@@ -32,9 +32,8 @@ void check_field(const Scene &s, const Body &b, const Listing &listing)
   if (!field)
     return;
   const std::string path   = "Bodies/" + b.name;
-  const auto        refuse = [&](const char *entry, const std::string &wrong, const std::string &expected) {
-    throw InputError(listing.where(path, entry), wrong, expected);
-  };
+  const auto        refuse = [&](const char *entry, const std::string &wrong, const std::string &expected)
+  { throw InputError(listing.where(path, entry), wrong, expected); };
   const bool box = b.shape.kind == ShapeKind::box;
   if (b.velocity_field == "converging" ? b.shape.kind == ShapeKind::mesh : !box)
     refuse("velocity field", "the field \"" + b.velocity_field + "\" has no meaning for this shape",
@@ -47,7 +46,8 @@ void check_field(const Scene &s, const Body &b, const Listing &listing)
   if (b.velocity_field == "saw-tooth" && b.method != Method::sph)
     refuse("velocity field", "the field \"saw-tooth\" changes from particle to particle", "method sph");
   if (b.velocity_field == "standing-wave" && b.half_waves != std::round(b.half_waves))
-    refuse("half waves", "a bar with free ends has no mode of " + units::format_number(b.half_waves) + " half waves",
+    refuse("half waves",
+           "a bar with free ends has no mode of " + units::format_number(b.half_waves) + " half waves",
            "a whole number, such as 1");
   for (const SymmetryPlane &p : s.symmetry)
   {
@@ -58,7 +58,7 @@ void check_field(const Scene &s, const Body &b, const Listing &listing)
       if (b.velocity_field == "saw-tooth" || std::abs(field->shape(b, x)[p.axis]) > 1e-9)
         refuse("velocity field",
                "the field \"" + b.velocity_field + "\" is not its own mirror image at the symmetry plane \"" +
-                 std::string(1, "xyz"[p.axis]) + "\"",
+                   std::string(1, "xyz"[p.axis]) + "\"",
                "no such plane, or a body whose middle lies on it");
   }
 }
@@ -78,7 +78,7 @@ void check_state(const Scene &s, const Body &b, const Listing &listing)
     throw InputError(listing.where(path, "step plane"),
                      "the plane x = " + units::format_number(b.step_plane) + " m does not cut the body",
                      "more than " + units::format_number(box.lower[0]) + " m and less than " +
-                       units::format_number(box.upper[0]) + " m");
+                         units::format_number(box.upper[0]) + " m");
 }
 } // namespace
 

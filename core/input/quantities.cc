@@ -56,8 +56,8 @@ constexpr std::array quantities{
                    "share of the energy of the starting wave that is still in it, kinetic and elastic; needs velocity "
                    "field standing-wave"},
   ObservedQuantity{"wave_amplitude_loss", units::none, true, false, units::none,
-                   "share of its amplitude that the starting wave loses in a wavelength of travel; needs velocity field "
-                   "standing-wave"},
+                   "share of its amplitude that the starting wave loses in a wavelength of travel; needs velocity "
+                   "field standing-wave"},
   ObservedQuantity{"oscillation_noise", units::none, true, false, units::none,
                    "kinetic energy of waves shorter than four spacings over all kinetic energy at the start; needs "
                    "particles in a uniaxial scene"},

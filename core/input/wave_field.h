@@ -70,8 +70,8 @@ inline Vec3 saw_tooth(const Body &b, const Vec3 &x)
 }
 
 inline constexpr std::array fields{WaveField{"closing", closing}, WaveField{"converging", converging},
-                            WaveField{"standing-wave", standing_wave}, WaveField{"shear", shear},
-                            WaveField{"saw-tooth", saw_tooth}};
+                                   WaveField{"standing-wave", standing_wave}, WaveField{"shear", shear},
+                                   WaveField{"saw-tooth", saw_tooth}};
 } // namespace wave_fields
 
 ///   closing        -sign(x - middle) along x: the halves of a box run at each other
@@ -85,7 +85,8 @@ inline constexpr std::array fields{WaveField{"closing", closing}, WaveField{"con
 /// Null for another name.
 inline const WaveField *find_wave_field(const std::string &name)
 {
-  const auto found = std::find_if(wave_fields::fields.begin(), wave_fields::fields.end(), [&](const WaveField &f) { return name == f.name; });
+  const auto found = std::find_if(wave_fields::fields.begin(), wave_fields::fields.end(),
+                                  [&](const WaveField &f) { return name == f.name; });
   return found == wave_fields::fields.end() ? nullptr : &*found;
 }
 } // namespace ogive::input

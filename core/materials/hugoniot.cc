@@ -20,14 +20,16 @@ EosResponse<double> respond(const Parameters &p, double density, double energy)
 Shock hugoniot(const Parameters &p, double u)
 {
   if (p.strength.law != Fluid::name)
-    reject("Strength/law", "is \"" + p.strength.law + "\"", "\"fluid\": only its shock is known in closed form");
+    reject("Strength/law", "is \"" + p.strength.law + "\"",
+           "\"fluid\": only its shock is known in closed form");
   const AnyEos eos    = Laws<AnyEos>::build(p.eos.law, p, "EOS/law");
   const double energy = .5 * u * u;
   // grows with density as far as the equation of state reaches
-  const auto excess = [&](double density) {
+  const auto excess = [&](double density)
+  {
     const EosResponse<double> r = std::visit([&](const auto &law) { return law.at(density, energy); }, eos);
-    return r.sound_speed_squared > 0 ? r.pressure * (1 / p.density - 1 / density) - u * u :
-                                       std::numeric_limits<double>::infinity();
+    return r.sound_speed_squared > 0 ? r.pressure * (1 / p.density - 1 / density) - u * u
+                                     : std::numeric_limits<double>::infinity();
   };
   double low = p.density, high = 2 * p.density;
   while (excess(high) < 0 && high < 1e6 * p.density)

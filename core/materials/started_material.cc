@@ -9,8 +9,7 @@
 namespace ogive::materials
 {
 StartedMaterial::StartedMaterial(std::shared_ptr<const Material> within, std::vector<StartState> states)
-  : within_(std::move(within))
-  , states_(std::move(states))
+    : within_(std::move(within)), states_(std::move(states))
 {
   for (const StartState &s : states_)
   {

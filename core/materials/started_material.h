@@ -25,7 +25,8 @@ public:
   StartedMaterial(std::shared_ptr<const Material>, std::vector<StartState>);
 
   void   initialise(Points &, std::size_t begin, std::size_t end) const override;
-  Status update(Points &p, std::size_t begin, std::size_t end, const Increments &inc, std::size_t &bad) const override
+  Status update(Points &p, std::size_t begin, std::size_t end, const Increments &inc,
+                std::size_t &bad) const override
   {
     return within_->update(p, begin, end, inc, bad);
   }

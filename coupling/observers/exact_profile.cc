@@ -10,9 +10,7 @@
 namespace ogive::coupling
 {
 ShockTube::ShockTube(double gamma, GasAtRest left, GasAtRest right)
-  : gamma_(gamma)
-  , left_(left)
-  , right_(right)
+    : gamma_(gamma), left_(left), right_(right)
 {
   // the sum of both jumps grows with pressure and vanishes between the two
   double low = std::min(left.pressure, right.pressure), high = std::max(left.pressure, right.pressure);
@@ -30,8 +28,7 @@ double ShockTube::sound(const GasAtRest &g) const
 double ShockTube::jump(const GasAtRest &g, double p) const
 {
   if (p > g.pressure)
-    return (p - g.pressure) *
-           std::sqrt(2 / (g.density * ((gamma_ + 1) * p + (gamma_ - 1) * g.pressure)));
+    return (p - g.pressure) * std::sqrt(2 / (g.density * ((gamma_ + 1) * p + (gamma_ - 1) * g.pressure)));
   return 2 * sound(g) / (gamma_ - 1) * (std::pow(p / g.pressure, (gamma_ - 1) / (2 * gamma_)) - 1);
 }
 
@@ -74,13 +71,11 @@ class ClosingHalves final : public ExactProfile
 {
 public:
   ClosingHalves(const input::Body &b, const materials::Parameters &p)
-    : middle_(.5 * (b.shape.lower[0] + b.shape.upper[0]))
-    , half_(b.shape.upper[0] - middle_)
-    , speed_(b.velocity_field_speed)
-    , drift_(b.velocity[0])
-    , shock_(materials::hugoniot(p, speed_))
-    , ahead_{p.density, 0, b.pressure}
-  {}
+      : middle_(.5 * (b.shape.lower[0] + b.shape.upper[0])), half_(b.shape.upper[0] - middle_),
+        speed_(b.velocity_field_speed), drift_(b.velocity[0]),
+        shock_(materials::hugoniot(p, speed_)), ahead_{p.density, 0, b.pressure}
+  {
+  }
 
   ExactState at(double x, double t) const override
   {
@@ -105,12 +100,11 @@ class Tube final : public ExactProfile
 {
 public:
   Tube(const input::Body &b, const materials::Parameters &p)
-    : plane_(b.step_plane)
-    , to_left_(plane_ - b.shape.lower[0])
-    , to_right_(b.shape.upper[0] - plane_)
-    , greatest_(std::max(b.pressure, b.pressure_beyond))
-    , tube_(p.eos.gamma, {p.density, b.pressure}, {b.density_beyond, b.pressure_beyond})
-  {}
+      : plane_(b.step_plane), to_left_(plane_ - b.shape.lower[0]), to_right_(b.shape.upper[0] - plane_),
+        greatest_(std::max(b.pressure, b.pressure_beyond)),
+        tube_(p.eos.gamma, {p.density, b.pressure}, {b.density_beyond, b.pressure_beyond})
+  {
+  }
 
   ExactState at(double x, double t) const override { return tube_.at((x - plane_) / t); }
   double     until() const override
@@ -125,7 +119,8 @@ private:
 };
 } // namespace
 
-std::unique_ptr<ExactProfile> exact_profile(const input::Body &b, const input::Scene &scene, const std::string &entry)
+std::unique_ptr<ExactProfile> exact_profile(const input::Body &b, const input::Scene &scene,
+                                            const std::string &entry)
 {
   const auto refuse = [&](const std::string &wrong, const std::string &expected) {
     throw InputError({"", 0, entry}, wrong, expected);

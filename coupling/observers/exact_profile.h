@@ -36,7 +36,8 @@ public:
 /// plane (the Riemann problem of an ideal gas at rest). Walls at the ends and
 /// symmetry planes along the way change nothing before until().
 /// InputError at `entry` for a body that starts otherwise.
-std::unique_ptr<ExactProfile> exact_profile(const input::Body &, const input::Scene &, const std::string &entry);
+std::unique_ptr<ExactProfile> exact_profile(const input::Body &, const input::Scene &,
+                                            const std::string &entry);
 
 /// Gas at rest on both sides of x = 0; each side has density > 0, pressure > 0.
 struct GasAtRest
@@ -62,9 +63,9 @@ public:
   double reach_left() const { return reach(left_); }
 
 private:
-  double     sound(const GasAtRest &) const;
-  double     jump(const GasAtRest &, double pressure) const; ///< velocity it gives, m/s
-  double     reach(const GasAtRest &) const;
+  double sound(const GasAtRest &) const;
+  double jump(const GasAtRest &, double pressure) const; ///< velocity it gives, m/s
+  double reach(const GasAtRest &) const;
   /// On the right of the contact, for a wave that runs into `ahead`.
   ExactState behind(const GasAtRest &ahead, double contact, double s) const;
 

@@ -16,9 +16,9 @@ public:
   double value() const override { return value_; }
 
 protected:
-  virtual double              energy(const RowFrame &) const = 0; ///< J
-  std::vector<double>         memory() const override { return {start_, value_}; }
-  void                        recall(const std::vector<double> &numbers) override;
+  virtual double      energy(const RowFrame &) const = 0; ///< J
+  std::vector<double> memory() const override { return {start_, value_}; }
+  void                recall(const std::vector<double> &numbers) override;
 
 private:
   double start_ = -1, value_ = std::numeric_limits<double>::quiet_NaN();

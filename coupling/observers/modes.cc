@@ -17,7 +17,8 @@ int body_of(const input::Observer &o, const input::Scene &scene)
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
     if (scene.bodies[b].name == o.body)
       return static_cast<int>(b);
-  throw InputError("observer \"" + o.name + "\" names the body \"" + o.body + "\", which is not in the scene");
+  throw InputError("observer \"" + o.name + "\" names the body \"" + o.body +
+                   "\", which is not in the scene");
 }
 
 const materials::Parameters &material_of(const input::Body &b, const input::Scene &scene)
@@ -25,15 +26,17 @@ const materials::Parameters &material_of(const input::Body &b, const input::Scen
   for (const materials::Parameters &m : scene.materials)
     if (m.name == b.material)
       return m;
-  throw InputError("the body \"" + b.name + "\" is made of \"" + b.material + "\", which is not in the scene");
+  throw InputError("the body \"" + b.name + "\" is made of \"" + b.material +
+                   "\", which is not in the scene");
 }
 } // namespace
 
 StandingWave::StandingWave(const input::Body &b, const input::Scene &scene, const std::string &entry)
-  : lower_(b.shape.lower[0])
+    : lower_(b.shape.lower[0])
 {
   if (b.velocity_field != "standing-wave" || scene.dimension != input::Dimension::uniaxial)
-    throw InputError({"", 0, entry}, "the body \"" + b.name + "\" does not start with a wave that can be followed",
+    throw InputError({"", 0, entry},
+                     "the body \"" + b.name + "\" does not start with a wave that can be followed",
                      "velocity field \"standing-wave\" in a uniaxial scene");
   const double length = b.shape.upper[0] - lower_;
   number_             = b.half_waves * std::numbers::pi / length;
@@ -57,14 +60,15 @@ double StandingWave::energy(const Sample &s, double dt) const
     stress += s.volume[i] * shape * s.sigma[0][i];
     volume += s.volume[i] * shape * shape;
   }
-  const double before = momentum / mass, sigma = stress / volume, after = before + dt * number_ * sigma / density_;
+  const double before = momentum / mass, sigma = stress / volume,
+               after = before + dt * number_ * sigma / density_;
   return .5 * mass * before * after + .5 * volume * sigma * sigma / (density_ * sound_speed_ * sound_speed_);
 }
 
 WaveEnergy::WaveEnergy(const input::Observer &o, const input::Scene &scene)
-  : body_(body_of(o, scene))
-  , wave_(scene.bodies[body_], scene, "Observers/" + o.name + "/body")
-{}
+    : body_(body_of(o, scene)), wave_(scene.bodies[body_], scene, "Observers/" + o.name + "/body")
+{
+}
 
 void WaveEnergy::row(const RowFrame &frame)
 {
@@ -83,14 +87,16 @@ void WaveEnergy::recall(const std::vector<double> &numbers)
 
 double WaveAmplitudeLoss::measure(double kept, double time) const
 {
-  return time > 0 ? 1 - std::pow(std::max(kept, 0.), .5 * wave().wavelength() / (wave().sound_speed() * time)) : 0.;
+  return time > 0 ? 1 - std::pow(std::max(kept, 0.), .5 * wave().wavelength() / (wave().sound_speed() * time))
+                  : 0.;
 }
 
 OscillationNoise::OscillationNoise(const input::Observer &o, const input::Scene &scene)
-  : BodyObserver(o, scene)
+    : BodyObserver(o, scene)
 {
   if (scene.dimension != input::Dimension::uniaxial || scene.bodies[body()].method != input::Method::sph)
-    throw InputError({"", 0, "Observers/" + o.name + "/body"}, "short waves are told apart in a row of particles only",
+    throw InputError({"", 0, "Observers/" + o.name + "/body"},
+                     "short waves are told apart in a row of particles only",
                      "a body with method sph in a uniaxial scene");
 }
 
@@ -99,7 +105,8 @@ double OscillationNoise::measure(const Sample &s, double)
   const std::size_t        n = s.mass.size();
   std::vector<std::size_t> order(n);
   std::iota(order.begin(), order.end(), std::size_t(0));
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return s.x0[0][a] < s.x0[0][b]; });
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return s.x0[0][a] < s.x0[0][b]; });
   if (cosines_.empty())
     for (std::size_t k = n / 2 + 1; k < n; ++k)
       for (std::size_t i = 0; i < n; ++i)

@@ -13,8 +13,8 @@ public:
   /// InputError at `entry` for a body that starts otherwise.
   StandingWave(const input::Body &, const input::Scene &, const std::string &entry);
 
-  double wavelength() const { return wavelength_; }     ///< m
-  double sound_speed() const { return sound_speed_; }   ///< longitudinal, at rest, m/s
+  double wavelength() const { return wavelength_; }   ///< m
+  double sound_speed() const { return sound_speed_; } ///< longitudinal, at rest, m/s
 
   /// Energy in the wave, J, from the projections q of the velocity on cos(k xi)
   /// (weighed by mass) and s of the axial stress on sin(k xi) (by volume):
@@ -39,7 +39,7 @@ public:
 
 protected:
   /// From the share of the energy that is left.
-  virtual double measure(double kept, double) const { return kept; }
+  virtual double      measure(double kept, double) const { return kept; }
   const StandingWave &wave() const { return wave_; }
 
   std::vector<double> memory() const override { return {step_, start_, value_}; }

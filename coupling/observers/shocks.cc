@@ -21,8 +21,7 @@ double pressure_along(const Sample &s, std::size_t i, const Vec3 &n)
 } // namespace
 
 Overshoot::Overshoot(const input::Observer &o, const input::Scene &scene)
-  : BodyObserver(o, scene)
-  , exact_(profile_of(o, scene, body()))
+    : BodyObserver(o, scene), exact_(profile_of(o, scene, body()))
 {
   if (scene.bodies[body()].velocity_field != "closing")
     throw InputError({"", 0, "Observers/" + o.name + "/body"}, "the body has no plateau of greatest pressure",
@@ -46,10 +45,9 @@ void Overshoot::recall(const std::vector<double> &numbers)
 }
 
 ProfileError::ProfileError(const input::Observer &o, const input::Scene &scene)
-  : BodyObserver(o, scene)
-  , exact_(profile_of(o, scene, body()))
-  , quantity_(o.quantity)
-{}
+    : BodyObserver(o, scene), exact_(profile_of(o, scene, body())), quantity_(o.quantity)
+{
+}
 
 double ProfileError::measure(const Sample &s, double time)
 {

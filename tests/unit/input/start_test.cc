@@ -93,9 +93,11 @@ TEST(WaveFields, SawToothChangesFromParticleToParticle)
 std::string gas(const std::string &dimension, const std::string &body)
 {
   return "set dimension = " + dimension + "\nset end time = 1 ms\nset bodies = a\nset materials = gas\n" +
-         "subsection Materials\n subsection gas\n set density = 2 kg/m^3\n subsection EOS\n set law = ideal-gas\n"
+         "subsection Materials\n subsection gas\n set density = 2 kg/m^3\n subsection EOS\n set law = "
+         "ideal-gas\n"
          " set gamma = 1.4\n end\n subsection Strength\n set law = fluid\n end\n end\nend\n" +
-         "subsection Bodies\n  subsection a\n    set material = gas\n    set method = sph\n    set spacing = 1 mm\n" +
+         "subsection Bodies\n  subsection a\n    set material = gas\n    set method = sph\n    set spacing = "
+         "1 mm\n" +
          body + "  end\nend\n";
 }
 
@@ -116,9 +118,10 @@ const char *const line = "set shape = box\nset lower = -10 mm\nset upper = 10 mm
 
 TEST(StartStates, AreReadAndReadBack)
 {
-  const std::string body = std::string(line) + "set pressure = 3 kPa\nset step plane = 1 mm\n"
-                                               "set density beyond = 0.5 kg/m^3\nset pressure beyond = 7 Pa\n";
-  const Scene       s    = read_scene(write_file("a.prm", gas("uniaxial", body)));
+  const std::string body = std::string(line) +
+                           "set pressure = 3 kPa\nset step plane = 1 mm\n"
+                           "set density beyond = 0.5 kg/m^3\nset pressure beyond = 7 Pa\n";
+  const Scene s = read_scene(write_file("a.prm", gas("uniaxial", body)));
   EXPECT_EQ(s.bodies[0].pressure, 3000);
   EXPECT_TRUE(s.bodies[0].has_step());
   EXPECT_EQ(s.bodies[0].step_plane, .001);
@@ -139,14 +142,16 @@ TEST(WaveFields, AreRefusedWhereTheyMeanNothing)
 {
   const std::string field = std::string(line) + "set field speed = 1 m/s\nset velocity field = ";
   EXPECT_EQ(complaint(gas("uniaxial", field + "closing\n")), "");
-  EXPECT_NE(complaint(gas("uniaxial", field + "shear\n")).find("no shear in a uniaxial scene"), std::string::npos);
+  EXPECT_NE(complaint(gas("uniaxial", field + "shear\n")).find("no shear in a uniaxial scene"),
+            std::string::npos);
   std::string elements = gas("uniaxial", field + "saw-tooth\n");
   EXPECT_EQ(complaint(elements), "");
   elements.replace(elements.find("method = sph"), 12, "method = fem");
   EXPECT_NE(complaint(elements).find("from particle to particle"), std::string::npos);
-  const std::string ring = "set shape = box\nset lower = 0, 0 mm\nset upper = 9, 9 mm\nset field speed = 1 m/s\n"
-                           "set velocity field = converging\n";
-  std::string       round = gas("axisymmetric", ring);
+  const std::string ring =
+      "set shape = box\nset lower = 0, 0 mm\nset upper = 9, 9 mm\nset field speed = 1 m/s\n"
+      "set velocity field = converging\n";
+  std::string round = gas("axisymmetric", ring);
   round.replace(round.find("method = sph"), 12, "method = fem");
   EXPECT_NE(complaint(round).find("x is the radius"), std::string::npos);
 }

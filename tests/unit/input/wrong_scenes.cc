@@ -120,6 +120,13 @@ subsection Output
 end
 )";
 
+namespace
+{
+/// The shape of the body "zone".
+constexpr const char *zone_disc = "set shape = disc\n    set base = 0, 0, -12 mm\n    set axis = 0, 0, 1\n"
+                                  "    set radius = 24 mm\n    set thickness = 12 mm\n";
+} // namespace
+
 const WrongScene wrong_scenes[] = {
   // text
   {"no such statement", "set title", "let title", "let title", "let", "not a statement", "did you mean \"set\"?"},
@@ -277,19 +284,19 @@ const WrongScene wrong_scenes[] = {
   {"half waves of another field", "set method = sph",
    "set method = sph\n    set field speed = 1 m/s\n    set velocity field = converging\n    set half waves = 2",
    "half waves", "Bodies/zone/half waves", "does not apply", "standing-wave"},
-  {"no half waves", "set shape = disc\n    set base = 0, 0, -12 mm\n    set axis = 0, 0, 1\n    set radius = 24 mm\n    set thickness = 12 mm\n",
+  {"no half waves", zone_disc,
    "set shape = box\n    set lower = -15, -15, -12 mm\n    set upper = 15, 15, 0 mm\n    set field speed = 1 m/s\n"
    "    set velocity field = standing-wave\n    set half waves = 0\n", "half waves", "Bodies/zone/half waves",
    "out of bounds", "> 0"},
-  {"half a half wave", "set shape = disc\n    set base = 0, 0, -12 mm\n    set axis = 0, 0, 1\n    set radius = 24 mm\n    set thickness = 12 mm\n",
+  {"half a half wave", zone_disc,
    "set shape = box\n    set lower = -15, -15, -12 mm\n    set upper = 15, 15, 0 mm\n    set field speed = 1 m/s\n"
    "    set velocity field = standing-wave\n    set half waves = 1.5\n", "half waves", "Bodies/zone/half waves",
    "no mode of 1.5", "a whole number"},
-  {"shear across the symmetry plane", "set shape = disc\n    set base = 0, 0, -12 mm\n    set axis = 0, 0, 1\n    set radius = 24 mm\n    set thickness = 12 mm\n",
+  {"shear across the symmetry plane", zone_disc,
    "set shape = box\n    set lower = -15, -15, -12 mm\n    set upper = 15, 15, 0 mm\n    set field speed = 1 m/s\n"
    "    set velocity field = shear\n", "velocity field", "Bodies/zone/velocity field", "symmetry plane \"x\"",
    "no such plane"},
-  {"saw-tooth at the symmetry plane", "set shape = disc\n    set base = 0, 0, -12 mm\n    set axis = 0, 0, 1\n    set radius = 24 mm\n    set thickness = 12 mm\n",
+  {"saw-tooth at the symmetry plane", zone_disc,
    "set shape = box\n    set lower = -15, -15, -12 mm\n    set upper = 15, 15, 0 mm\n    set field speed = 1 m/s\n"
    "    set velocity field = saw-tooth\n", "velocity field", "Bodies/zone/velocity field", "symmetry plane \"x\"",
    "no such plane"},

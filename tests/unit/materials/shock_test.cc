@@ -45,7 +45,7 @@ TEST(Hugoniot, OfTheLinearLaw)
 {
   Parameters p       = fluid("linear");
   p.eos.bulk_modulus = 48;
-  const double u     = 1.5, U = .5 * u + std::sqrt(.25 * u * u + 16);
+  const double u = 1.5, U = .5 * u + std::sqrt(.25 * u * u + 16);
   EXPECT_NEAR(hugoniot(p, u).speed, U, 1e-9 * U);
 }
 
@@ -72,9 +72,9 @@ TEST(Hugoniot, RefusesWhatItDoesNotKnow)
 
 TEST(StartedMaterial, StartsInTheGivenStates)
 {
-  Parameters p                                  = fluid("ideal-gas");
-  p.eos.gamma                                   = 1.4;
-  const std::shared_ptr<const Material> within  = make_material(p);
+  Parameters p                                 = fluid("ideal-gas");
+  p.eos.gamma                                  = 1.4;
+  const std::shared_ptr<const Material> within = make_material(p);
   const StartedMaterial                 started(within, {{3, 12}, {.5, 7}});
   Points                                points;
   points.resize(4);
@@ -107,10 +107,10 @@ TEST(StartedMaterial, StaysAsItStarts)
   Increments   still;
   still.strain.fill(&rest);
   still.spin.fill(&rest);
-  still.density     = &density;
-  still.dt          = 1e-3;
-  std::size_t bad   = 0;
-  const double c    = points.sound_speed[0];
+  still.density    = &density;
+  still.dt         = 1e-3;
+  std::size_t  bad = 0;
+  const double c   = points.sound_speed[0];
   EXPECT_EQ(started.update(points, 0, 1, still, bad), Status::ok);
   EXPECT_NEAR(points.sigma[0][0], -40, 1e-12);
   EXPECT_NEAR(points.sound_speed[0], c, 1e-12);

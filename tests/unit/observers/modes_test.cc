@@ -14,11 +14,11 @@ constexpr double pi = std::numbers::pi;
 /// 2 m of a solid with rho 2, K + 4/3 G = 18: c = 3 m/s; three half waves.
 input::Scene bar()
 {
-  input::Scene s               = synthetic::scene("linear", "elastic");
+  input::Scene s                  = synthetic::scene("linear", "elastic");
   s.materials[0].eos.bulk_modulus = 14;
-  s.materials[0].shear_modulus = 3;
-  s.bodies[0].velocity_field   = "standing-wave";
-  s.bodies[0].half_waves       = 3;
+  s.materials[0].shear_modulus    = 3;
+  s.bodies[0].velocity_field      = "standing-wave";
+  s.bodies[0].half_waves          = 3;
   return s;
 }
 constexpr double k = 3 * pi / 2, c = 3, w = k * c;
@@ -28,11 +28,13 @@ constexpr double k = 3 * pi / 2, c = 3, w = k * c;
 Sample wave(double a, double t, double dt)
 {
   const double phase = std::asin(.5 * w * dt);
-  return synthetic::row(-1, 1, 200, [&](double x) {
-    const double xi = x + 1;
-    return synthetic::Point{a * std::cos(k * xi) * std::cos(w * t - phase),
-                            2 * c * a * std::sin(k * xi) * std::sin(w * t), 2};
-  });
+  return synthetic::row(-1, 1, 200,
+                        [&](double x)
+                        {
+                          const double xi = x + 1;
+                          return synthetic::Point{a * std::cos(k * xi) * std::cos(w * t - phase),
+                                                  2 * c * a * std::sin(k * xi) * std::sin(w * t), 2};
+                        });
 }
 
 double kept(const std::string &quantity, double amplitude, double t, double dt, double time)
@@ -69,9 +71,11 @@ TEST(WaveEnergy, SeesNoOtherWave)
 {
   const auto o = synthetic::observer("fundamental_energy", bar());
   synthetic::seen(*o, 0, wave(1, 0, 0));
-  const Sample other = synthetic::row(-1, 1, 200, [](double x) {
-    return synthetic::Point{std::cos(5 * pi / 2 * (x + 1)), std::sin(pi * (x + 1)), 2};
-  });
+  const Sample other =
+      synthetic::row(-1, 1, 200,
+                     [](double x) {
+                       return synthetic::Point{std::cos(5 * pi / 2 * (x + 1)), std::sin(pi * (x + 1)), 2};
+                     });
   EXPECT_NEAR(synthetic::seen(*o, 1, other), 0, 1e-12);
 }
 
@@ -83,7 +87,7 @@ TEST(WaveAmplitudeLoss, IsOfOneWavelength)
 
 TEST(WaveEnergy, RefusesABodyWithoutTheWave)
 {
-  input::Scene s = bar();
+  input::Scene s             = bar();
   s.bodies[0].velocity_field = "closing";
   EXPECT_THROW(synthetic::observer("fundamental_energy", s), InputError);
   s           = bar();
@@ -106,9 +110,13 @@ TEST(WaveEnergy, GoesOnAfterARestart)
 /// Modes of 40 particles: wavelength 80/m spacings.
 Sample modes(double long_one, double short_one)
 {
-  return synthetic::row(-1, 1, 40, [&](double x) {
-    return synthetic::Point{long_one * std::cos(20 * pi * (x + 1) / 2) + short_one * std::cos(21 * pi * (x + 1) / 2), 0, 1};
-  });
+  return synthetic::row(-1, 1, 40,
+                        [&](double x)
+                        {
+                          return synthetic::Point{long_one * std::cos(20 * pi * (x + 1) / 2) +
+                                                      short_one * std::cos(21 * pi * (x + 1) / 2),
+                                                  0, 1};
+                        });
 }
 
 TEST(OscillationNoise, PartsWavesAtFourSpacings)

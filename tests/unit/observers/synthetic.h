@@ -69,17 +69,18 @@ inline input::Scene scene(const std::string &eos, const std::string &strength)
   m.strength.law = strength;
   s.materials.push_back(m);
   input::Body b;
-  b.name         = "body";
-  b.material     = "stuff";
-  b.method       = input::Method::sph;
-  b.shape.lower  = {-1, 0, 0};
-  b.shape.upper  = {1, 0, 0};
-  b.spacing      = .01;
+  b.name        = "body";
+  b.material    = "stuff";
+  b.method      = input::Method::sph;
+  b.shape.lower = {-1, 0, 0};
+  b.shape.upper = {1, 0, 0};
+  b.spacing     = .01;
   s.bodies.push_back(b);
   return s;
 }
 
-inline std::unique_ptr<Observer> observer(const std::string &quantity, const input::Scene &s, double parameter = 0)
+inline std::unique_ptr<Observer> observer(const std::string &quantity, const input::Scene &s,
+                                          double parameter = 0)
 {
   input::Observer o;
   o.name = o.quantity = quantity;

@@ -14,7 +14,8 @@ namespace
 TEST(Tables, WhatIsListedIsMeasured)
 {
   const std::vector<std::string> listed = input::quantity_names(), measured = observable_quantities();
-  EXPECT_EQ(std::set<std::string>(listed.begin(), listed.end()), std::set<std::string>(measured.begin(), measured.end()));
+  EXPECT_EQ(std::set<std::string>(listed.begin(), listed.end()),
+            std::set<std::string>(measured.begin(), measured.end()));
   EXPECT_EQ(std::set<std::string>(listed.begin(), listed.end()).size(), listed.size()) << "a name twice";
 }
 } // namespace
