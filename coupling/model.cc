@@ -2,6 +2,7 @@
 #include "coupling/model.h"
 
 #include "core/base/error.h"
+#include "core/materials/started_material.h"
 #include "fem/mesh.h"
 #include "sph/fill.h"
 
@@ -51,6 +52,31 @@ std::vector<int> boundary_bodies(const input::Scene &scene)
     bodies.push_back(body_index(scene, boundary.body));
   return bodies;
 }
+
+/// Gives the particles of a body the density and pressure that it starts with.
+template <int dim>
+void start(sph::BodyParticles<dim> &particles, const input::Body &body)
+{
+  if (!body.has_initial_state())
+    return;
+  const double                       rest = particles.material->density();
+  std::vector<materials::StartState> states;
+  for (std::size_t i = 0; i < particles.x.size(); ++i)
+  {
+    const bool beyond = body.has_step() && particles.x[i][0] > body.step_plane;
+    states.push_back(beyond ? materials::StartState{body.density_beyond, body.pressure_beyond} :
+                              materials::StartState{rest, body.pressure});
+    particles.mass[i] *= states.back().density / rest;
+  }
+  try
+  {
+    particles.material = std::make_shared<const materials::StartedMaterial>(particles.material, std::move(states));
+  }
+  catch (const InputError &e)
+  {
+    throw InputError({"", 0, "Bodies/" + body.name + (body.pressure > 0 ? "/pressure" : "/step plane")}, e.complaint());
+  }
+}
 } // namespace
 
 template <int dim>
@@ -67,7 +93,10 @@ Model<dim>::Model(const input::Scene &scene)
     if (body.method == input::Method::fem)
       meshes.push_back(fem::make_mesh<dim>(body, scene, static_cast<int>(b), material));
     else
+    {
       clouds.push_back(sph::fill<dim>(body, scene, static_cast<int>(b), material));
+      start(clouds.back(), body);
+    }
   }
   if (!meshes.empty())
     fem_ = std::make_unique<fem::Solver<dim>>(

@@ -81,7 +81,7 @@ public:
       }
       clock_.advance();
       report_.limited_by(limit);
-      watch();
+      watch(step);
     }
     return finish();
   }
@@ -106,10 +106,10 @@ private:
               "; going on with a smaller step");
   }
 
-  void watch()
+  void watch(const TimeStep &step)
   {
     const std::vector<double> wall = model_.wall_forces();
-    const StepFrame           frame{clock_.time(), wall, model_.contact_force()};
+    const StepFrame           frame{clock_.time(), wall, model_.contact_force(), step.drift};
     stop_.every_step(frame);
     report_.every_step(frame);
 
@@ -133,7 +133,8 @@ private:
                      const auto at = samples.find(body);
                      return at != samples.end() ? at->second : samples.emplace(body, model_.sample(body)).first->second;
                    },
-                   ledger.kinetic, ledger.elastic, ledger.angular_momentum};
+                   ledger.kinetic, ledger.elastic, ledger.angular_momentum, ledger.viscosity_heat,
+                   ledger.plastic_work};
     stop_.row(frame);
     history_->row(report_.row(frame, clock_.step(), ledger));
     row_step_ = clock_.step();
@@ -253,6 +254,7 @@ Plan make_plan(const input::Scene &scene)
 {
   Model<dim> model(scene);
   Plan       plan;
+  const RunReport report(scene); // refuses what it cannot observe
   plan.particles = model.particles();
   plan.elements  = model.elements();
   plan.limit     = model.stable_dt();

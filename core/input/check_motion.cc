@@ -21,7 +21,8 @@ bool is_loaded(const Scene &s, const Body &b)
 /// Motion that is more than a translation cannot be judged by bounding boxes.
 bool moves_otherwise(const Scene &s, const Body &b)
 {
-  return !b.spin.isZero(0) || !b.velocity_field.empty() || is_loaded(s, b) || b.shape.kind == ShapeKind::mesh;
+  return !b.spin.isZero(0) || !b.velocity_field.empty() || b.has_initial_state() || is_loaded(s, b) ||
+         b.shape.kind == ShapeKind::mesh;
 }
 
 void check_planes(const Scene &s, const Body &b, const Listing &listing)
@@ -61,7 +62,7 @@ bool anything_moves(const Scene &s)
   return std::any_of(s.bodies.begin(), s.bodies.end(),
                      [&](const Body &b) {
                        return !b.velocity.isZero(0) || !b.spin.isZero(0) || !b.velocity_field.empty() ||
-                              is_loaded(s, b);
+                              b.has_initial_state() || is_loaded(s, b);
                      }) ||
          std::any_of(s.walls.begin(), s.walls.end(), [](const RigidWall &w) { return !w.velocity.isZero(0); });
 }
@@ -171,7 +172,7 @@ void check_motion(const Scene &s, const Listing &listing)
   if (!anything_moves(s))
     throw InputError(listing.where("Bodies/" + s.bodies.front().name, "velocity"),
                      "nothing moves: no body has a velocity, no wall, and no boundary acts",
-                     "a velocity, spin, velocity field, moving wall, or boundary");
+                     "a velocity, spin, velocity field, moving wall, boundary, or pressure");
   for (const Body &b : s.bodies)
     if (!b.velocity.isZero(0) && !moves_otherwise(s, b))
       check_aim(s, b, listing);

@@ -24,4 +24,7 @@ void check_geometry(const Scene &, const Listing &);
 
 /// Something moves, where it may move, and towards something.
 void check_motion(const Scene &, const Listing &);
+
+/// Velocity fields of waves and states at the start suit the body.
+void check_start(const Scene &, const Listing &);
 } // namespace ogive::input

@@ -57,6 +57,18 @@ void shape_fields(Fields &f, Shape &s, Dimension dimension)
   f.text({"mesh file", "mesh of quadrilaterals or hexahedra, seen from the scene file", Need::mandatory, with({"mesh"})},
          s.mesh_file, "a file name");
 }
+
+void state_fields(Fields &f, Body &b)
+{
+  f.quantity({"pressure", "pressure at the start, made by heat: an ideal gas has none without it; particles only"},
+             b.pressure, units::pressure, bounds::not_negative);
+  f.quantity({"step plane", "x past which the body starts with another density and pressure; particles only"},
+             b.step_plane, units::length);
+  f.quantity({"density beyond", "density at the start past the step plane", Need::mandatory, {"step plane", {}}},
+             b.density_beyond, units::density, bounds::positive);
+  f.quantity({"pressure beyond", "pressure at the start past the step plane", Need::mandatory, {"step plane", {}}},
+             b.pressure_beyond, units::pressure, bounds::positive);
+}
 } // namespace
 
 void body_fields(Fields &f, Body &b, Dimension dimension)
@@ -81,12 +93,19 @@ void body_fields(Fields &f, Body &b, Dimension dimension)
 
   std::string field = b.velocity_field.empty() ? "none" : b.velocity_field;
   f.choice({"velocity field", "initial velocity beyond translation and spin"}, field,
-           {"none", "radial-inverse", "radial-inverse-square", "twist", "bend", "bending-mode"});
+           {"none", "radial-inverse", "radial-inverse-square", "twist", "bend", "bending-mode", "closing",
+            "converging", "standing-wave", "shear", "saw-tooth"});
   b.velocity_field = field == "none" ? "" : field;
   f.quantity({"field speed",
               "speed of the velocity field",
               Need::mandatory,
-              {"velocity field", {"radial-inverse", "radial-inverse-square", "twist", "bend", "bending-mode"}}},
+              {"velocity field",
+               {"radial-inverse", "radial-inverse-square", "twist", "bend", "bending-mode", "closing", "converging",
+                "standing-wave", "shear", "saw-tooth"}}},
              b.velocity_field_speed, units::velocity);
+  f.number({"half waves", "half wavelengths of the standing wave along x, a whole number", Need::optional,
+            {"velocity field", {"standing-wave"}}},
+           b.half_waves, bounds::positive);
+  state_fields(f, b);
 }
 } // namespace ogive::input

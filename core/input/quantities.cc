@@ -38,6 +38,35 @@ constexpr std::array quantities{
                    "kinetic plus elastic energy over their sum at the start"},
   ObservedQuantity{"peak_stress", units::pressure, true, false, units::none, "greatest von Mises stress in the body"},
   ObservedQuantity{"greatest_damage", units::none, true, false, units::none, "greatest damage in the body"},
+  ObservedQuantity{"overshoot", units::none, true, false, units::none,
+                   "greatest axial pressure over the exact plateau of closing halves, less 1: worst since the exact "
+                   "front was a third through; needs velocity field closing and a fluid"},
+  ObservedQuantity{"l1_error", units::none, true, false, units::none,
+                   "mean distance of the axial pressure from the exact profile over the profile's mean; needs velocity "
+                   "field closing and a fluid, or an ideal gas with a step plane"},
+  ObservedQuantity{"l1_density_error", units::none, true, false, units::none, "as l1_error, of the density"},
+  ObservedQuantity{"l1_velocity_error", units::none, true, false, units::none,
+                   "as l1_error, of the velocity along x, weighed by mass"},
+  ObservedQuantity{"shock_speed", units::velocity, true, true, units::pressure,
+                   "distance from the point that holds as much mass as has an axial pressure above the parameter, over "
+                   "time"},
+  ObservedQuantity{"density_deficit", units::none, true, true, units::density,
+                   "what the density about the point lacks of the parameter, as a share of it"},
+  ObservedQuantity{"fundamental_energy", units::none, true, false, units::none,
+                   "share of the energy of the starting wave that is still in it, kinetic and elastic; needs velocity "
+                   "field standing-wave"},
+  ObservedQuantity{"wave_amplitude_loss", units::none, true, false, units::none,
+                   "share of its amplitude that the starting wave loses in a wavelength of travel; needs velocity "
+                   "field standing-wave"},
+  ObservedQuantity{"oscillation_noise", units::none, true, false, units::none,
+                   "kinetic energy of waves shorter than four spacings over all kinetic energy at the start; needs "
+                   "particles in a uniaxial scene"},
+  ObservedQuantity{"kinetic_energy_kept", units::none, false, false, units::none,
+                   "kinetic energy of all bodies over that at the start"},
+  ObservedQuantity{"viscosity_heat_share", units::none, false, false, units::none,
+                   "heat of the artificial viscosity of particles over the kinetic energy at the start"},
+  ObservedQuantity{"viscosity_to_plastic_work", units::none, false, false, units::none,
+                   "heat of the artificial viscosity of particles over the plastic work"},
 };
 } // namespace
 

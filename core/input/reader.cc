@@ -136,6 +136,7 @@ Scene read_scene(const std::string &file, const std::vector<std::string> &overri
   check_names(s, listing);
   check_geometry(s, listing);
   check_motion(s, listing);
+  check_start(s, listing);
   return s;
 }
 

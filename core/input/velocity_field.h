@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/input/scene.h"
+#include "core/input/wave_field.h"
 
 #include <Eigen/Geometry>
 
@@ -52,8 +53,11 @@ inline Vec3 velocity_field(const Body &body, const Vec3 &x, double bulk_sound_sp
     return speed * bulk_sound_speed *
            (m * (std::cos(kx) - std::cosh(kx)) - n * (std::sin(kx) - std::sinh(kx))) / q * Vec3::UnitY();
   }
+  if (const WaveField *f = find_wave_field(body.velocity_field))
+    return speed * f->shape(body, x);
   throw InputError({"", 0, "Bodies/" + body.name + "/velocity field"},
                    "unknown field \"" + body.velocity_field + "\"",
-                   "radial-inverse, radial-inverse-square, twist, bend or bending-mode");
+                   "radial-inverse, radial-inverse-square, twist, bend, bending-mode, closing, converging, "
+                   "standing-wave, shear or saw-tooth");
 }
 } // namespace ogive::input

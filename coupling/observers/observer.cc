@@ -2,8 +2,11 @@
 #include "coupling/observers/observer.h"
 
 #include "core/base/error.h"
+#include "coupling/observers/heat.h"
+#include "coupling/observers/modes.h"
 #include "coupling/observers/motion.h"
 #include "coupling/observers/shape.h"
+#include "coupling/observers/shocks.h"
 #include "coupling/observers/waves.h"
 
 #include <array>
@@ -54,6 +57,18 @@ constexpr std::array makers = {
   Maker{"energy_kept", make<EnergyKept>},
   Maker{"peak_stress", make<PeakStress>},
   Maker{"greatest_damage", make<GreatestDamage>},
+  Maker{"overshoot", make<Overshoot>},
+  Maker{"l1_error", make<ProfileError>},
+  Maker{"l1_density_error", make<ProfileError>},
+  Maker{"l1_velocity_error", make<ProfileError>},
+  Maker{"shock_speed", make<ShockSpeed>},
+  Maker{"density_deficit", make<DensityDeficit>},
+  Maker{"fundamental_energy", make<WaveEnergy>},
+  Maker{"wave_amplitude_loss", make<WaveAmplitudeLoss>},
+  Maker{"oscillation_noise", make<OscillationNoise>},
+  Maker{"kinetic_energy_kept", make<KineticEnergyKept>},
+  Maker{"viscosity_heat_share", make<ViscosityHeatShare>},
+  Maker{"viscosity_to_plastic_work", make<ViscosityToPlasticWork>},
 };
 } // namespace
 

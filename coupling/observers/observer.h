@@ -19,6 +19,7 @@ struct StepFrame
   double                  time = 0;     ///< end of the step, s
   std::span<const double> wall_force;   ///< of each rigid wall of the scene, N into the material
   double                  contact_force = 0; ///< sum of the normal forces of all body contacts, N
+  double                  length = 0;        ///< of the step, s
 };
 
 /// What an observer sees at every row of the history.
@@ -29,6 +30,8 @@ struct RowFrame
   double                                    kinetic = 0; ///< of all bodies, J
   double                                    elastic = 0; ///< J
   Vec3                                      angular_momentum = Vec3::Zero();
+  double                                    viscosity_heat = 0; ///< J
+  double                                    plastic_work   = 0; ///< J
 };
 
 /// A quantity of the summary. Holds only what it needs from the past, and that

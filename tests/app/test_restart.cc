@@ -87,3 +87,18 @@ TEST(Restart, RefusesWhatIsNoCheckpoint)
   EXPECT_EQ(ogive::test::ogive({"restart", scratch.path("nowhere")}).status, 2);
   EXPECT_EQ(read_file(scratch.path("r/history.csv")), history);
 }
+
+TEST(Restart, ShockTubeWithItsStartStates)
+{
+  restart_equals_unbroken({scene("sod/scene.prm"), "--set", "Bodies/gas/spacing=10 mm", "--set",
+                           "Output/checkpoint interval=40 ms"});
+}
+
+// Observers that remember: the energy of a wave at its start, the worst overshoot.
+TEST(Restart, ObserversThatRemember)
+{
+  restart_equals_unbroken({scene("smooth-wave/scene.prm"), "--set", "Output/checkpoint interval=10 us"});
+  restart_equals_unbroken({scene("symmetric-impact/scene.prm"), "--set", "Output/checkpoint interval=2 us"});
+  restart_equals_unbroken({scene("shear-flow/scene.prm"), "--set", "end time=20 us", "--set",
+                           "Output/checkpoint interval=4 us"});
+}

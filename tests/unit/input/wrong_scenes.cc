@@ -120,6 +120,13 @@ subsection Output
 end
 )";
 
+namespace
+{
+/// The shape of the body "zone".
+constexpr const char *zone_disc = "set shape = disc\n    set base = 0, 0, -12 mm\n    set axis = 0, 0, 1\n"
+                                  "    set radius = 24 mm\n    set thickness = 12 mm\n";
+} // namespace
+
 const WrongScene wrong_scenes[] = {
   // text
   {"no such statement", "set title", "let title", "let title", "let", "not a statement", "did you mean \"set\"?"},
@@ -266,6 +273,48 @@ const WrongScene wrong_scenes[] = {
    "\"zone\""},
   {"too slow to arrive", "set base = 0, 0, 80.5 mm", "set base = 0, 0, 180.5 mm", "-303.5",
    "Bodies/projectile/velocity", "never hits", "later end time"},
+  // velocity fields and states at the start
+  {"field without speed", "set method = sph", "set method = sph\n    set velocity field = converging", "subsection zone",
+   "Bodies/zone/field speed", "missing", "a velocity"},
+  {"slip in a field", "set method = sph", "set method = sph\n    set velocity field = closeing", "closeing",
+   "Bodies/zone/velocity field", "not known", "did you mean \"closing\"?"},
+  {"field of another shape", "set method = sph",
+   "set method = sph\n    set field speed = 1 m/s\n    set velocity field = closing", "velocity field",
+   "Bodies/zone/velocity field", "no meaning for this shape", "\"box\""},
+  {"half waves of another field", "set method = sph",
+   "set method = sph\n    set field speed = 1 m/s\n    set velocity field = converging\n    set half waves = 2",
+   "half waves", "Bodies/zone/half waves", "does not apply", "standing-wave"},
+  {"no half waves", zone_disc,
+   "set shape = box\n    set lower = -15, -15, -12 mm\n    set upper = 15, 15, 0 mm\n    set field speed = 1 m/s\n"
+   "    set velocity field = standing-wave\n    set half waves = 0\n", "half waves", "Bodies/zone/half waves",
+   "out of bounds", "> 0"},
+  {"half a half wave", zone_disc,
+   "set shape = box\n    set lower = -15, -15, -12 mm\n    set upper = 15, 15, 0 mm\n    set field speed = 1 m/s\n"
+   "    set velocity field = standing-wave\n    set half waves = 1.5\n", "half waves", "Bodies/zone/half waves",
+   "no mode of 1.5", "a whole number"},
+  {"shear across the symmetry plane", zone_disc,
+   "set shape = box\n    set lower = -15, -15, -12 mm\n    set upper = 15, 15, 0 mm\n    set field speed = 1 m/s\n"
+   "    set velocity field = shear\n", "velocity field", "Bodies/zone/velocity field", "symmetry plane \"x\"",
+   "no such plane"},
+  {"saw-tooth at the symmetry plane", zone_disc,
+   "set shape = box\n    set lower = -15, -15, -12 mm\n    set upper = 15, 15, 0 mm\n    set field speed = 1 m/s\n"
+   "    set velocity field = saw-tooth\n", "velocity field", "Bodies/zone/velocity field", "symmetry plane \"x\"",
+   "no such plane"},
+  {"pressure of elements", "set velocity = 0, 0, -303.5 m/s",
+   "set velocity = 0, 0, -303.5 m/s\n    set pressure = 1 MPa", "set pressure", "Bodies/projectile/pressure",
+   "for particles only", "method sph"},
+  {"negative pressure", "set method = sph", "set method = sph\n    set pressure = -1 MPa", "pressure = -1",
+   "Bodies/zone/pressure", "out of bounds", ">= 0"},
+  {"pressure without unit", "set method = sph", "set method = sph\n    set pressure = 1", "pressure = 1",
+   "Bodies/zone/pressure", "has no unit", "a pressure"},
+  {"density past no plane", "set method = sph", "set method = sph\n    set density beyond = 1 kg/m^3", "density beyond",
+   "Bodies/zone/density beyond", "does not apply", "step plane"},
+  {"step to no pressure", "set method = sph",
+   "set method = sph\n    set step plane = 1 mm\n    set density beyond = 1 kg/m^3", "subsection zone",
+   "Bodies/zone/pressure beyond", "missing", "a pressure > 0"},
+  {"step outside the body", "set method = sph",
+   "set method = sph\n    set density beyond = 1 kg/m^3\n    set pressure beyond = 1 Pa\n    set step plane = 50 mm",
+   "step plane", "Bodies/zone/step plane", "does not cut the body", "less than 0.024 m"},
 };
 const std::size_t wrong_scene_count = std::size(wrong_scenes);
 } // namespace ogive::input::testing

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/input/checks.h"
+#include "core/input/shape_geometry.h"
+#include "core/input/wave_field.h"
+
+#include <cmath>
+
+namespace ogive::input
+{
+namespace
+{
+/// Points of the box's section by the plane x_axis = 0, 5 an edge.
+std::vector<Vec3> section(const BoundingBox &box, int axis, int dim)
+{
+  constexpr int     n = 5;
+  std::vector<Vec3> points;
+  for (int k = 0; k < n * n; ++k)
+  {
+    const double share[2] = {(k % n + .5) / n, (k / n + .5) / n};
+    Vec3         x        = Vec3::Zero();
+    for (int a = 0, c = 0; a < dim; ++a)
+      if (a != axis)
+        x[a] = box.lower[a] + share[c++] * (box.upper[a] - box.lower[a]);
+    points.push_back(x);
+  }
+  return points;
+}
+
+void check_field(const Scene &s, const Body &b, const Listing &listing)
+{
+  const WaveField *field = find_wave_field(b.velocity_field);
+  if (!field)
+    return;
+  const std::string path   = "Bodies/" + b.name;
+  const auto        refuse = [&](const char *entry, const std::string &wrong, const std::string &expected)
+  { throw InputError(listing.where(path, entry), wrong, expected); };
+  const bool box = b.shape.kind == ShapeKind::box;
+  if (b.velocity_field == "converging" ? b.shape.kind == ShapeKind::mesh : !box)
+    refuse("velocity field", "the field \"" + b.velocity_field + "\" has no meaning for this shape",
+           b.velocity_field == "converging" ? "a named shape" : "shape \"box\"");
+  if (s.dimension == Dimension::axisymmetric)
+    refuse("velocity field", "x is the radius: the field \"" + b.velocity_field + "\" has no meaning there",
+           "dimension uniaxial, plane-strain or 3d");
+  if (b.velocity_field == "shear" && s.dimension == Dimension::uniaxial)
+    refuse("velocity field", "there is no shear in a uniaxial scene", "dimension plane-strain or 3d");
+  if (b.velocity_field == "saw-tooth" && b.method != Method::sph)
+    refuse("velocity field", "the field \"saw-tooth\" changes from particle to particle", "method sph");
+  if (b.velocity_field == "standing-wave" && b.half_waves != std::round(b.half_waves))
+    refuse("half waves",
+           "a bar with free ends has no mode of " + units::format_number(b.half_waves) + " half waves",
+           "a whole number, such as 1");
+  for (const SymmetryPlane &p : s.symmetry)
+  {
+    const BoundingBox extent = bounding_box(b.shape, s.dimension);
+    if (extent.lower[p.axis] > 0)
+      continue;
+    for (const Vec3 &x : section(extent, p.axis, space_dimension(s.dimension)))
+      if (b.velocity_field == "saw-tooth" || std::abs(field->shape(b, x)[p.axis]) > 1e-9)
+        refuse("velocity field",
+               "the field \"" + b.velocity_field + "\" is not its own mirror image at the symmetry plane \"" +
+                   std::string(1, "xyz"[p.axis]) + "\"",
+               "no such plane, or a body whose middle lies on it");
+  }
+}
+
+void check_state(const Scene &s, const Body &b, const Listing &listing)
+{
+  if (!b.has_initial_state())
+    return;
+  const std::string path  = "Bodies/" + b.name;
+  const char       *entry = b.pressure > 0 ? "pressure" : "step plane";
+  if (b.method != Method::sph)
+    throw InputError(listing.where(path, entry), "a state at the start is for particles only", "method sph");
+  if (!b.has_step())
+    return;
+  const BoundingBox box = bounding_box(b.shape, s.dimension);
+  if (!(b.step_plane > box.lower[0] && b.step_plane < box.upper[0]))
+    throw InputError(listing.where(path, "step plane"),
+                     "the plane x = " + units::format_number(b.step_plane) + " m does not cut the body",
+                     "more than " + units::format_number(box.lower[0]) + " m and less than " +
+                         units::format_number(box.upper[0]) + " m");
+}
+} // namespace
+
+void check_start(const Scene &s, const Listing &listing)
+{
+  for (const Body &b : s.bodies)
+  {
+    check_field(s, b, listing);
+    check_state(s, b, listing);
+  }
+}
+} // namespace ogive::input

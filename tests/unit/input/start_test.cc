@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What a body starts with: velocity fields of waves and flows, and states.
+#include "core/base/error.h"
+#include "core/input/reader.h"
+#include "core/input/velocity_field.h"
+#include "tests/unit/input/scene_text.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace ogive::input
+{
+namespace
+{
+using testing::write_file;
+
+/// A box of 4 x 2 x 1 m with its middle at (3, 2, .5), particles every half metre.
+Body box(const std::string &field)
+{
+  Body b;
+  b.velocity_field       = field;
+  b.velocity_field_speed = 10;
+  b.spacing              = .5;
+  b.shape.lower          = {1, 1, 0};
+  b.shape.upper          = {5, 3, 1};
+  return b;
+}
+
+Vec3 at(const Body &b, const Vec3 &x)
+{
+  return velocity_field(b, x, 1000);
+}
+
+TEST(WaveFields, ClosingRunsAtTheMiddle)
+{
+  const Body b = box("closing");
+  EXPECT_EQ(at(b, {2, 1.5, .2}), Vec3(10, 0, 0));
+  EXPECT_EQ(at(b, {3.1, 2.5, .9}), Vec3(-10, 0, 0));
+  EXPECT_EQ(at(b, {3, 2, .5}), Vec3(0, 0, 0));
+}
+
+TEST(WaveFields, ConvergingPointsInwards)
+{
+  Body b = box("converging");
+  EXPECT_LT((at(b, {6, 6, .5}) - Vec3(-6, -8, 0)).norm(), 1e-12);
+  EXPECT_EQ(at(b, {3, 2, .5}), Vec3(0, 0, 0));
+  b.shape.kind = ShapeKind::sphere;
+  b.shape.base = {1, 1, 1};
+  EXPECT_LT((at(b, {1, 4, 5}) - Vec3(0, -6, -8)).norm(), 1e-12);
+  // towards the axis of a round body, wherever along it
+  b.shape.kind = ShapeKind::disc;
+  b.shape.axis = {0, 2, 0};
+  EXPECT_LT((at(b, {4, 9, 5}) - Vec3(-6, 0, -8)).norm(), 1e-12);
+}
+
+TEST(WaveFields, StandingWaveHasFreeEnds)
+{
+  Body b       = box("standing-wave");
+  b.half_waves = 2;
+  // one wave in 4 m: crest, node, trough, node, crest
+  const double share[] = {1, 0, -1, 0, 1};
+  for (int k = 0; k < 5; ++k)
+    EXPECT_NEAR(at(b, {1. + k, 2, .5}).x(), 10 * share[k], 1e-12) << k;
+  b.half_waves = 1;
+  EXPECT_NEAR(at(b, {2, 2, .5}).x(), 10 * std::sqrt(.5), 1e-12);
+}
+
+TEST(WaveFields, ShearIsLinearAndDoesNotCompress)
+{
+  const Body b = box("shear");
+  EXPECT_EQ(at(b, {2, 3, .5}), Vec3(10, 0, 0));
+  EXPECT_EQ(at(b, {4, 1.5, .5}), Vec3(-5, 0, 0));
+}
+
+TEST(WaveFields, SawToothChangesFromParticleToParticle)
+{
+  const Body b = box("saw-tooth");
+  EXPECT_EQ(at(b, {1.25, 1.25, .25}), Vec3(10, 0, 0));
+  for (int a = 0; a < 3; ++a)
+  {
+    Vec3 x(1.25, 1.25, .25);
+    x[a] += .5;
+    EXPECT_EQ(at(b, x), Vec3(-10, 0, 0)) << a;
+  }
+  EXPECT_EQ(at(b, {1.75, 1.75, .25}), Vec3(10, 0, 0));
+  // a box whose edge is no multiple of the spacing is filled with a whole number: 8 in 4 m
+  Body wide    = b;
+  wide.spacing = .52;
+  EXPECT_EQ(at(wide, {4.75, 1.25, .25}), Vec3(-10, 0, 0));
+}
+
+std::string gas(const std::string &dimension, const std::string &body)
+{
+  return "set dimension = " + dimension + "\nset end time = 1 ms\nset bodies = a\nset materials = gas\n" +
+         "subsection Materials\n subsection gas\n set density = 2 kg/m^3\n subsection EOS\n set law = "
+         "ideal-gas\n"
+         " set gamma = 1.4\n end\n subsection Strength\n set law = fluid\n end\n end\nend\n" +
+         "subsection Bodies\n  subsection a\n    set material = gas\n    set method = sph\n    set spacing = "
+         "1 mm\n" +
+         body + "  end\nend\n";
+}
+
+std::string complaint(const std::string &text)
+{
+  try
+  {
+    read_scene(write_file("a.prm", text));
+  }
+  catch (const InputError &e)
+  {
+    return e.what();
+  }
+  return "";
+}
+
+const char *const line = "set shape = box\nset lower = -10 mm\nset upper = 10 mm\n";
+
+TEST(StartStates, AreReadAndReadBack)
+{
+  const std::string body = std::string(line) +
+                           "set pressure = 3 kPa\nset step plane = 1 mm\n"
+                           "set density beyond = 0.5 kg/m^3\nset pressure beyond = 7 Pa\n";
+  const Scene s = read_scene(write_file("a.prm", gas("uniaxial", body)));
+  EXPECT_EQ(s.bodies[0].pressure, 3000);
+  EXPECT_TRUE(s.bodies[0].has_step());
+  EXPECT_EQ(s.bodies[0].step_plane, .001);
+  EXPECT_EQ(s.bodies[0].density_beyond, .5);
+  EXPECT_EQ(s.bodies[0].pressure_beyond, 7);
+  const std::string resolved = write_resolved(s);
+  EXPECT_EQ(write_resolved(read_scene(write_file("resolved.prm", resolved))), resolved);
+}
+
+// A pressure is enough to set things going.
+TEST(StartStates, MoveThings)
+{
+  EXPECT_NE(complaint(gas("uniaxial", line)).find("nothing moves"), std::string::npos);
+  EXPECT_EQ(complaint(gas("uniaxial", std::string(line) + "set pressure = 1 Pa\n")), "");
+}
+
+TEST(WaveFields, AreRefusedWhereTheyMeanNothing)
+{
+  const std::string field = std::string(line) + "set field speed = 1 m/s\nset velocity field = ";
+  EXPECT_EQ(complaint(gas("uniaxial", field + "closing\n")), "");
+  EXPECT_NE(complaint(gas("uniaxial", field + "shear\n")).find("no shear in a uniaxial scene"),
+            std::string::npos);
+  std::string elements = gas("uniaxial", field + "saw-tooth\n");
+  EXPECT_EQ(complaint(elements), "");
+  elements.replace(elements.find("method = sph"), 12, "method = fem");
+  EXPECT_NE(complaint(elements).find("from particle to particle"), std::string::npos);
+  const std::string ring =
+      "set shape = box\nset lower = 0, 0 mm\nset upper = 9, 9 mm\nset field speed = 1 m/s\n"
+      "set velocity field = converging\n";
+  std::string round = gas("axisymmetric", ring);
+  round.replace(round.find("method = sph"), 12, "method = fem");
+  EXPECT_NE(complaint(round).find("x is the radius"), std::string::npos);
+}
+} // namespace
+} // namespace ogive::input
