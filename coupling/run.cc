@@ -133,7 +133,7 @@ private:
                      const auto at = samples.find(body);
                      return at != samples.end() ? at->second : samples.emplace(body, model_.sample(body)).first->second;
                    },
-                   ledger.kinetic, ledger.elastic, ledger.angular_momentum};
+                   ledger.kinetic, ledger.elastic, ledger.angular_momentum, ledger.plastic_work};
     stop_.row(frame);
     history_->row(report_.row(frame, clock_.step(), ledger));
     row_step_ = clock_.step();

@@ -37,6 +37,42 @@ constexpr std::array quantities{
   ObservedQuantity{"energy_kept", units::none, false, false, units::none,
                    "kinetic plus elastic energy over their sum at the start"},
   ObservedQuantity{"peak_stress", units::pressure, true, false, units::none, "greatest von Mises stress in the body"},
+  ObservedQuantity{"period", units::time, true, false, units::none,
+                   "mean period, over the whole ones seen, of the displacement along the direction of what was nearest "
+                   "to the point"},
+  ObservedQuantity{"amplitude_loss", units::none, true, false, units::none,
+                   "1 - greatest displacement in the last whole period over that in the first; place as for period"},
+  ObservedQuantity{"tip_deflection", units::length, true, false, units::none,
+                   "displacement along the direction of what was nearest to the point, mean over the second half of the "
+                   "time since it was greatest"},
+  ObservedQuantity{"mid_deflection", units::none, true, true, units::length, "as tip_deflection, over the parameter"},
+  ObservedQuantity{"greatest_deflection", units::length, true, false, units::none,
+                   "greatest displacement along the direction of what was nearest to the point"},
+  ObservedQuantity{"tip_rotation", units::none, true, true, units::length,
+                   "turn in radians, about the direction or in the plane, of what began closer to the point than the "
+                   "parameter; settled as tip_deflection"},
+  ObservedQuantity{"stopping_radius", units::length, true, false, units::none,
+                   "least mean radius of the inner wall of a shell or ring"},
+  ObservedQuantity{"stopping_time", units::time, true, false, units::none,
+                   "when the mean radius of the inner wall was least"},
+  ObservedQuantity{"roundness", units::none, true, false, units::none,
+                   "greatest over least mean radius of the inner wall in the directions of a lattice, when the mean of "
+                   "all was least"},
+  ObservedQuantity{"width_at", units::length, true, true, units::length,
+                   "diameter at the parameter above the lowest point along the direction"},
+  ObservedQuantity{"fragments", units::none, true, false, units::none,
+                   "number of pieces of the body; particles closer than 1.75 spacings hang together"},
+  ObservedQuantity{"smallest_distance", units::none, true, false, units::none,
+                   "least distance of two particles over their spacing, so far"},
+  ObservedQuantity{"symmetry_error", units::length, false, false, units::none,
+                   "greatest distance between a point and the mirror image of its partner, in the plane through the "
+                   "point across the direction"},
+  ObservedQuantity{"kinetic_share", units::none, false, false, units::none,
+                   "kinetic energy over the kinetic and elastic energy at the start"},
+  ObservedQuantity{"elastic_share", units::none, false, false, units::none,
+                   "elastic energy over the kinetic and elastic energy at the start"},
+  ObservedQuantity{"plastic_share", units::none, false, false, units::none,
+                   "plastic work over the kinetic and elastic energy at the start"},
   ObservedQuantity{"greatest_damage", units::none, true, false, units::none, "greatest damage in the body"},
 };
 } // namespace

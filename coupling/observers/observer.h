@@ -29,6 +29,7 @@ struct RowFrame
   double                                    kinetic = 0; ///< of all bodies, J
   double                                    elastic = 0; ///< J
   Vec3                                      angular_momentum = Vec3::Zero();
+  double                                    plastic_work = 0; ///< J
 };
 
 /// A quantity of the summary. Holds only what it needs from the past, and that
