@@ -64,14 +64,15 @@ double GreatestDeflection::measure(const Sample &s, double)
 }
 
 TipRotation::TipRotation(const input::Observer &o, const input::Scene &scene)
-  : Settled(o, scene)
-  , axis_(input::space_dimension(scene.dimension) == 3 ? direction() : Vec3(Vec3::UnitZ()))
-{}
+    : Settled(o, scene),
+      axis_(input::space_dimension(scene.dimension) == 3 ? direction() : Vec3(Vec3::UnitZ()))
+{
+}
 
 double TipRotation::now(const Sample &s) const
 {
   std::vector<std::size_t> near;
-  double                   mass = 0;
+  double                   mass    = 0;
   Vec3                     centre0 = Vec3::Zero(), centre = Vec3::Zero();
   for (std::size_t i = 0; i < s.mass.size(); ++i)
     if ((at(s.x0, i) - point()).norm() < parameter())

@@ -9,15 +9,14 @@
 
 namespace ogive::coupling
 {
-InnerWall::InnerWall(const input::Observer &o, const input::Scene &scene)
-  : BodyObserver(o, scene)
+InnerWall::InnerWall(const input::Observer &o, const input::Scene &scene) : BodyObserver(o, scene)
 {
   const input::Body &b = scene.bodies[body()];
   if (b.shape.kind != input::ShapeKind::shell && b.shape.kind != input::ShapeKind::ring)
-    throw InputError({scene.file, 0, "Observers/" + o.name + "/body"}, "the body \"" + o.body + "\" has no inner wall",
-                     "a body of shape shell or ring");
-  base_      = b.shape.base;
-  axis_      = scene.dimension == input::Dimension::plane_strain ? Vec3(Vec3::UnitZ()) : b.shape.axis.normalized();
+    throw InputError({scene.file, 0, "Observers/" + o.name + "/body"},
+                     "the body \"" + o.body + "\" has no inner wall", "a body of shape shell or ring");
+  base_ = b.shape.base;
+  axis_ = scene.dimension == input::Dimension::plane_strain ? Vec3(Vec3::UnitZ()) : b.shape.axis.normalized();
   spherical_ = b.shape.kind == input::ShapeKind::shell;
   inner_     = b.shape.inner_radius;
   depth_     = b.spacing;
@@ -44,8 +43,8 @@ std::vector<InnerWall::Point> InnerWall::innermost(const Sample &s) const
     const double r0   = from.norm();
     // half a depth for nodes: those on the wall, not the next layer
     if (r0 < inner_ + (s.is_mesh ? .5 : 1.) * depth_)
-      points.push_back(
-        {from, s.mass[i], std::pow(radius_vector(s.x, i).norm(), n) - std::pow(r0, n) + std::pow(inner_, n)});
+      points.push_back({from, s.mass[i],
+                        std::pow(radius_vector(s.x, i).norm(), n) - std::pow(r0, n) + std::pow(inner_, n)});
   }
   return points;
 }

@@ -47,9 +47,7 @@ void for_each_pair(const Sample &s, double reach, F &&f)
 class Sets
 {
 public:
-  explicit Sets(std::size_t n)
-    : parent_(n)
-    , count_(n)
+  explicit Sets(std::size_t n) : parent_(n), count_(n)
   {
     std::iota(parent_.begin(), parent_.end(), std::size_t(0));
   }
@@ -95,14 +93,13 @@ double SmallestDistance::measure(const Sample &s, double)
 }
 
 SymmetryError::SymmetryError(const input::Observer &o, const input::Scene &scene)
-  : n_bodies_(scene.bodies.size())
-  , normal_(o.direction.normalized())
-  , point_(o.point)
-{}
+    : n_bodies_(scene.bodies.size()), normal_(o.direction.normalized()), point_(o.point)
+{
+}
 
 void SymmetryError::row(const RowFrame &frame)
 {
-  const auto at = [](const Axes &a, std::size_t i) { return Vec3(a[0][i], a[1][i], a[2][i]); };
+  const auto        at = [](const Axes &a, std::size_t i) { return Vec3(a[0][i], a[1][i], a[2][i]); };
   std::vector<Vec3> from, now;
   Box<3>            all;
   for (std::size_t b = 0; b < n_bodies_; ++b)

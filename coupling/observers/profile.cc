@@ -25,9 +25,9 @@ struct Outermost
 } // namespace
 
 WidthAt::WidthAt(const input::Observer &o, const input::Scene &scene)
-  : BodyObserver(o, scene)
-  , base_(scene.bodies[body()].shape.base)
-{}
+    : BodyObserver(o, scene), base_(scene.bodies[body()].shape.base)
+{
+}
 
 double WidthAt::measure(const Sample &s, double)
 {
@@ -43,13 +43,13 @@ double WidthAt::measure(const Sample &s, double)
   for (std::size_t i = 0; i < s.mass.size(); ++i)
     if (const double z = along(s.x, i) - low - parameter(); std::abs(z) <= slab)
     {
-      const Vec3   arm    = at(s.x, i) - base_;
-      const double a      = arm.dot(first), b = arm.dot(second);
+      const Vec3   arm = at(s.x, i) - base_;
+      const double a = arm.dot(first), b = arm.dot(second);
       const double turn   = std::atan2(b, a) / (2 * std::numbers::pi) + .5;
       const auto   sector = std::min(static_cast<std::size_t>(turn * sectors), sectors - 1);
       (z < 0 ? below : above)[sector].offer(std::hypot(a, b) + s.radius[i], z);
     }
-  double sum = 0;
+  double sum  = 0;
   int    seen = 0;
   for (std::size_t k = 0; k < sectors; ++k)
     if (const Outermost &p = below[k], &q = above[k]; p.radius > 0 && q.radius > 0)

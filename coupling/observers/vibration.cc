@@ -38,8 +38,8 @@ void Oscillation::enter(double time, double displacement)
 std::vector<double> Oscillation::memory() const
 {
   std::vector<double> numbers = BodyObserver::memory();
-  numbers.insert(numbers.end(), {static_cast<double>(passages_), side_, time_, displacement_, peak_, first_peak_,
-                                 last_peak_, last_end_});
+  numbers.insert(numbers.end(), {static_cast<double>(passages_), side_, time_, displacement_, peak_,
+                                 first_peak_, last_peak_, last_end_});
   return numbers;
 }
 

@@ -31,7 +31,7 @@ private:
 
   int    passages_ = 0;
   double side_ = 0, time_ = 0, displacement_ = 0; ///< of the row before
-  double peak_ = 0;                               ///< of the period that runs, m
+  double peak_       = 0;                         ///< of the period that runs, m
   double first_peak_ = 0, last_peak_ = 0, last_end_ = 0;
 };
 

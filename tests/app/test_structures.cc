@@ -38,7 +38,7 @@ double check(const nlohmann::json &s, const std::string &name)
 TEST(OscillatingPlate, ElementsSwingInTime)
 {
   const auto s =
-    run("oscillating-plate/scene.prm", {"Bodies/plate/method=fem", "Bodies/plate/lower=0, -10 mm"});
+      run("oscillating-plate/scene.prm", {"Bodies/plate/method=fem", "Bodies/plate/lower=0, -10 mm"});
   EXPECT_LT(error(s, "period"), .01);
   EXPECT_LT(error(s, "energy_kept"), .005);
 }
@@ -70,7 +70,7 @@ TEST(RubberRings, ParticlesBeginToBend)
   const std::vector<std::string> until = {"end time=20 us"};
   const auto                     s     = run("rubber-rings/scene.prm", until);
   const auto                     e =
-    run("rubber-rings/scene.prm", {"end time=20 us", "Bodies/left/method=fem", "Bodies/right/method=fem"});
+      run("rubber-rings/scene.prm", {"end time=20 us", "Bodies/left/method=fem", "Bodies/right/method=fem"});
   EXPECT_EQ(quantity(s, "fragments_left"), 1);
   EXPECT_GT(quantity(s, "smallest_distance"), .7);
   const double speed = 237.911, lost = speed + quantity(e, "rebound_velocity");
@@ -89,8 +89,9 @@ TEST(StruckBeam, ElementsLieBetweenTheBounds)
   } cases[] = {{"3", .661, .924}, {"7", 1.996, 2.651}};
   for (const auto &c : cases)
   {
-    const auto s = run("struck-beam/scene.prm", {"Bodies/beam/method=fem", "Bodies/beam/upper=50.8, 3.175 mm",
-                                                 std::string("Bodies/striker/velocity=0, -") + c.speed + " m/s"});
+    const auto s =
+        run("struck-beam/scene.prm", {"Bodies/beam/method=fem", "Bodies/beam/upper=50.8, 3.175 mm",
+                                      std::string("Bodies/striker/velocity=0, -") + c.speed + " m/s"});
     EXPECT_GT(quantity(s, "mid_deflection"), c.circumscribed) << c.speed;
     EXPECT_LT(quantity(s, "mid_deflection"), c.inscribed) << c.speed;
     EXPECT_LT(check(s, "energy_drift"), .001);
@@ -160,8 +161,9 @@ TEST(TensileBar, StretchesEvenlyAtFirst)
 // The shares are parts of one energy; the rest is heat of viscosity.
 TEST(FreeBeam, SharesAddUp)
 {
-  const auto   s   = run("free-beam/scene.prm", {"Bodies/beam/method=fem", "Bodies/beam/spacing=1.5875 mm"});
-  const double sum = quantity(s, "plastic_share") + quantity(s, "kinetic_share") + quantity(s, "elastic_share");
+  const auto   s = run("free-beam/scene.prm", {"Bodies/beam/method=fem", "Bodies/beam/spacing=1.5875 mm"});
+  const double sum =
+      quantity(s, "plastic_share") + quantity(s, "kinetic_share") + quantity(s, "elastic_share");
   EXPECT_GT(sum, .95);
   EXPECT_LT(sum, 1.001);
   EXPECT_GT(quantity(s, "plastic_share"), .5);

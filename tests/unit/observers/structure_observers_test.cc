@@ -56,8 +56,8 @@ input::Scene scene_with(const input::Shape &shape, double spacing, input::Dimens
 
 struct Watch
 {
-  input::Scene    scene = scene_with({}, 1, input::Dimension::plane_strain);
-  input::Observer observer;
+  input::Scene              scene = scene_with({}, 1, input::Dimension::plane_strain);
+  input::Observer           observer;
   std::unique_ptr<Observer> made;
 
   explicit Watch(const std::string &quantity)
@@ -157,10 +157,12 @@ TEST(StructureObservers, RotationOfAnEnd)
   w.observer.point     = {10, 1, 0};
   w.observer.parameter = 2.5;
   const double c = std::cos(.3), s = std::sin(.3);
-  w.row(0, lattice(10, 2, 1, [&](const Vec3 &x) {
-          const Vec3 d = x - Vec3(10, 1, 0);
-          return x.x() > 7 ? Vec3(11 + c * d.x() + s * d.y(), 3 - s * d.x() + c * d.y(), 0) : x;
-        }));
+  w.row(0, lattice(10, 2, 1,
+                   [&](const Vec3 &x)
+                   {
+                     const Vec3 d = x - Vec3(10, 1, 0);
+                     return x.x() > 7 ? Vec3(11 + c * d.x() + s * d.y(), 3 - s * d.x() + c * d.y(), 0) : x;
+                   }));
   EXPECT_NEAR(w.value(), .3, 1e-14);
 }
 
@@ -269,9 +271,9 @@ TEST(StructureObservers, PiecesOfALattice)
   Watch w("fragments");
   w.row(0, lattice(12, 5, .1, [](const Vec3 &x) { return Vec3(1.6 * x.x(), x.y(), 0); }));
   EXPECT_EQ(w.value(), 1);
-  w.row(1, lattice(12, 5, .1, [](const Vec3 &x) {
-          return Vec3(x.x() + (x.x() > .4) * .1 + (x.x() > .8) * .2, x.y(), 0);
-        }));
+  w.row(1,
+        lattice(12, 5, .1,
+                [](const Vec3 &x) { return Vec3(x.x() + (x.x() > .4) * .1 + (x.x() > .8) * .2, x.y(), 0); }));
   EXPECT_EQ(w.value(), 3);
 }
 
@@ -294,9 +296,9 @@ TEST(StructureObservers, SmallestDistanceOfTheRun)
   Watch w("smallest_distance");
   for (const double gap : {1., .4, .9})
   {
-    w.row(0, lattice(4, 4, .2, [&](const Vec3 &x) {
-            return x.x() < .2 && x.y() < .2 ? Vec3(x.x(), x.y() + (1 - gap) * .2, 0) : x;
-          }));
+    w.row(0, lattice(4, 4, .2,
+                     [&](const Vec3 &x)
+                     { return x.x() < .2 && x.y() < .2 ? Vec3(x.x(), x.y() + (1 - gap) * .2, 0) : x; }));
     w.restart();
   }
   EXPECT_NEAR(w.value(), .4, 1e-12);
