@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -46,8 +47,9 @@ inline Vec3 velocity_field(const Body &body, const Vec3 &x, double bulk_sound_sp
   {
     // First mode of a clamped-free plate along x; speed is Vf, a share of the
     // shear-free sound speed sqrt(K/rho) (Gray, Monaghan and Swift, CMAME 190
-    // (2001) 6641).
-    const double kl = 1.875, l = s.upper[0] - s.lower[0], kx = kl * (x[0] - s.lower[0]) / l;
+    // (2001) 6641). What lies at x < 0 is in the clamp.
+    const double root = std::max(s.lower[0], std::min(0., s.upper[0]));
+    const double kl = 1.875, l = s.upper[0] - root, kx = kl * std::max(0., x[0] - root) / l;
     const double m = std::sin(kl) + std::sinh(kl), n = std::cos(kl) + std::cosh(kl);
     const double q = 2 * (std::cos(kl) * std::sinh(kl) - std::sin(kl) * std::cosh(kl));
     return speed * bulk_sound_speed *

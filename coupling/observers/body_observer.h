@@ -38,6 +38,20 @@ protected:
   }
   static Vec3 at(const std::array<std::vector<double>, 3> &a, std::size_t i) { return {a[0][i], a[1][i], a[2][i]}; }
 
+  /// What was nearest to the point at the start.
+  std::size_t nearest_node(const Sample &s) const
+  {
+    std::size_t nearest  = 0;
+    double      distance = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < s.mass.size(); ++i)
+      if (const double d = (at(s.x0, i) - point_).squaredNorm(); d < distance)
+      {
+        distance = d;
+        nearest  = i;
+      }
+    return nearest;
+  }
+
   int                 body() const { return body_; }
   const Vec3         &direction() const { return direction_; }
   const Vec3         &point() const { return point_; }

@@ -2,11 +2,17 @@
 #include "coupling/observers/observer.h"
 
 #include "core/base/error.h"
+#include "coupling/observers/bending.h"
+#include "coupling/observers/collapse.h"
 #include "coupling/observers/heat.h"
 #include "coupling/observers/modes.h"
 #include "coupling/observers/motion.h"
+#include "coupling/observers/pieces.h"
+#include "coupling/observers/profile.h"
 #include "coupling/observers/shape.h"
+#include "coupling/observers/shares.h"
 #include "coupling/observers/shocks.h"
+#include "coupling/observers/vibration.h"
 #include "coupling/observers/waves.h"
 
 #include <array>
@@ -56,6 +62,22 @@ constexpr std::array makers = {
   Maker{"angular_momentum_drift", make<AngularMomentumDrift>},
   Maker{"energy_kept", make<EnergyKept>},
   Maker{"peak_stress", make<PeakStress>},
+  Maker{"period", make<Period>},
+  Maker{"amplitude_loss", make<AmplitudeLoss>},
+  Maker{"tip_deflection", make<TipDeflection>},
+  Maker{"mid_deflection", make<MidDeflection>},
+  Maker{"greatest_deflection", make<GreatestDeflection>},
+  Maker{"tip_rotation", make<TipRotation>},
+  Maker{"stopping_radius", make<StoppingRadius>},
+  Maker{"stopping_time", make<StoppingTime>},
+  Maker{"roundness", make<Roundness>},
+  Maker{"width_at", make<WidthAt>},
+  Maker{"fragments", make<Fragments>},
+  Maker{"smallest_distance", make<SmallestDistance>},
+  Maker{"symmetry_error", make<SymmetryError>},
+  Maker{"kinetic_share", make<KineticShare>},
+  Maker{"elastic_share", make<ElasticShare>},
+  Maker{"plastic_share", make<PlasticShare>},
   Maker{"greatest_damage", make<GreatestDamage>},
   Maker{"overshoot", make<Overshoot>},
   Maker{"l1_error", make<ProfileError>},
