@@ -49,9 +49,9 @@ struct Driver
   double     time = 0, last = 0;
 
   explicit Driver(const input::Scene &scene) : model(scene) {}
-  void step()
+  void step() { step(model.stable_dt().dt); }
+  void step(double dt)
   {
-    const double dt = model.stable_dt().dt;
     ASSERT_TRUE(model.step({time, .5 * (last + dt), dt}).ok);
     time += dt;
     last = dt;
