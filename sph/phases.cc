@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sph/corrector.h"
 #include "sph/implementation.h"
 
 #include <Eigen/Dense>
@@ -34,26 +35,6 @@ struct Block
     return inc;
   }
 };
-
-/// M^-1, or the unit matrix where M is close to singular: too few neighbours,
-/// or all of them on a line or in a plane. The bound on |M^-1| keeps the pair
-/// stiffness, and with it the step, bounded.
-template <int dim>
-bool corrector(const Matrix<dim> &m, Matrix<dim> &b)
-{
-  constexpr double largest = 10;
-  const double     det     = m.determinant();
-  const double     scale   = m.trace() / dim;
-  if (det > 1e-4 * std::pow(scale, dim) && scale > .05)
-  {
-    b = m.inverse();
-    b = (.5 * (b + b.transpose())).eval();
-    if (b.cwiseAbs().rowwise().sum().maxCoeff() < largest)
-      return true;
-  }
-  b.setIdentity();
-  return false;
-}
 
 /// Increments over dt from the gradient l at the end of the step: measured at
 /// its middle, so that a rigid turn strains nothing.

@@ -36,7 +36,7 @@ void check(const input::SphOptions &o)
   one_of("switch", o.viscosity_switch, {"none", "balsara", "cullen-dehnen", "divergence-gradient"});
   one_of("correction", o.correction, {"none", "pairwise", "shepard"});
   one_of("support rule", o.support_rule, {"fixed", "total-variation", "minimal-dissipation", "monotonicity"});
-  one_of("shock split", o.shock_split, {"none", "compression", "sharp"});
+  one_of("shock split", o.shock_split, {"none", "compression", "sharp", "curvature"});
   one_of("energy form", o.energy_form, {"compatible", "working", "averaged"});
   if ((o.correction == "shepard") == (o.energy_form == "compatible"))
     throw InputError({"", 0, "SPH/energy form"},
@@ -56,7 +56,7 @@ Solver<dim>::Implementation::Implementation(const Parameters &p, std::vector<Bod
   , correction(p.options.correction != "none")
   , summation(p.options.density == "summation")
   , variable(correction && p.options.support_rule != "fixed")
-  , sensed(p.options.shock_split == "sharp" || p.options.viscosity_switch == "divergence-gradient")
+  , sensed(p.options.shock_split == "sharp" || p.options.shock_split == "curvature" || p.options.viscosity_switch == "divergence-gradient")
 {
   const auto &o = p.options;
   check(o);

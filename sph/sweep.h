@@ -79,7 +79,7 @@ struct SensorLayout
 {
   static constexpr int         x = 0, volume = dim, divergence = dim + 1, n_fields = dim + 2;
   static constexpr std::size_t stride = padded(n_fields);
-  static constexpr int         jump = 0, size = 1, slope = 2, n_sums = dim + 2;
+  static constexpr int jump = 0, size = 1, bend = 2, slope = 3, offset = dim + 3, n_sums = 2 * dim + 3;
   static constexpr std::size_t sums_stride = padded(n_sums);
 };
 

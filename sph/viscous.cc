@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sph/correction/sensor.h"
+#include "sph/corrector.h"
 #include "sph/implementation.h"
 #include "sph/viscosity/viscosities.h"
 
@@ -97,11 +98,20 @@ double Solver<dim>::Implementation::shock_share(const Body &b, std::size_t i, co
   const auto &o = parameters.options;
   if (o.shock_split == "compression")
     return compression_sensor(p, o.split_compression);
-  if (o.shock_split != "sharp")
+  if (o.shock_split == "none")
     return 0;
   const double *sums = &sensor_sums[i * S::sums_stride];
-  return sharp_sensor(p, sums[S::jump], sums[S::size], shares.weight / std::pow(b.spacing, dim),
-                      o.split_ratio * shares.offset);
+  Unevenness    u{sums[S::jump], sums[S::size], shares.weight / std::pow(b.spacing, dim),
+               o.split_ratio * shares.offset, 0, 0};
+  if (o.shock_split == "curvature")
+  {
+    const Eigen::Map<const Vector> slope(sums + S::slope), offset(sums + S::offset);
+    Matrix                         inverse;
+    corrector<dim>(moment(i), inverse);
+    u.bend   = std::abs(sums[S::bend] - offset.dot(inverse.transpose() * slope));
+    u.r_bend = o.split_bend * shares.offset * shares.offset * shares.offset;
+  }
+  return uneven_sensor(p, u);
 }
 
 template <int dim>

@@ -28,11 +28,13 @@ void sph_fields(Fields &f, SphOptions &o)
   f.choice({"support rule", "how the support of the correction is chosen"}, o.support_rule,
            {"fixed", "total-variation", "minimal-dissipation", "monotonicity"});
   f.choice({"shock split", "sensor of the viscosity that captures shocks; the rest is weak viscosity"}, o.shock_split,
-           {"none", "compression", "sharp"});
+           {"none", "compression", "sharp", "curvature"});
   f.number({"split compression", "h |div v|/c at which shock split = compression leaves all viscosity"},
            o.split_compression, bounds::positive);
-  f.number({"split ratio", "jump of div v between neighbours, relative, at which shock split = sharp leaves half"},
+  f.number({"split ratio", "unevenness of div v among neighbours at which shock split = sharp or curvature leaves half"},
            o.split_ratio, bounds::positive);
+  f.number({"split bend", "unevenness of div v that a linear field leaves, at which shock split = curvature opens half"},
+           o.split_bend, bounds::positive);
   f.choice({"energy form", "where the heat of the viscosity goes; shepard needs working (v.<da>) or averaged"},
            o.energy_form, {"compatible", "working", "averaged"});
   f.number({"artificial stress", "coefficient against the tensile instability; 0: none"}, o.artificial_stress,

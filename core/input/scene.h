@@ -172,8 +172,9 @@ struct SphOptions
   std::string correction = "pairwise";  ///< "none", "pairwise", "shepard"
   double      correction_support = 1;   ///< s = h_c/h; the greatest one of rules that choose
   std::string support_rule = "fixed";   ///< "fixed", "total-variation", "minimal-dissipation", "monotonicity"
-  std::string shock_split = "none";     ///< "none", "compression", "sharp"
+  std::string shock_split = "none";     ///< "none", "compression", "sharp", "curvature"
   double      split_compression = .02;  ///< M0: h |div v|/c at which all viscosity stays
+  double      split_bend  = .06;        ///< the same for its curvature, over the cube of that offset
   double      split_ratio = .2;         ///< R0 over the mean neighbour offset of the lattice
   std::string energy_form = "compatible"; ///< "compatible"; "working", "averaged" (shepard)
   double      artificial_stress = 0;    ///< epsilon of Gray, Monaghan and Swift

@@ -11,7 +11,8 @@
 namespace ogive::sph
 {
 /// Sums over the neighbours of D = div v: sum W |D_i - D_j|, sum W (|D_i| +
-/// |D_j|), sum V_j (D_j - D_i) gradW. Without self.
+/// |D_j|), sum W (D_j - D_i), sum V_j (D_j - D_i) gradW, sum W (x_j - x_i).
+/// Without self.
 template <int dim, class Kernel>
 [[gnu::flatten]] void sensor_sweep(const Sweep &s)
 {
@@ -38,9 +39,13 @@ template <int dim, class Kernel>
       const VDouble d = own[L::divergence] - j[L::divergence];
       const VDouble g = j[L::volume] * kernel.slope(r, inv_r) * d;
       sum[L::jump] += w * stdx::fabs(d);
+      sum[L::bend] -= w * d;
       sum[L::size] += w * (std::abs(own[L::divergence]) + stdx::fabs(j[L::divergence]));
       for (int a = 0; a < dim; ++a)
+      {
         sum[L::slope + a] -= g * dx[a];
+        sum[L::offset + a] -= w * dx[a];
+      }
     }
     store_sums<L::n_sums>(sum, s.sums + i * L::sums_stride);
   }
@@ -54,23 +59,46 @@ double compression_sensor(const ViscousPoint<dim> &p, double m0)
   return std::clamp(-p.h * p.divergence() / (m0 * p.sound), 0., 1.);
 }
 
-/// The sharper one: where it is compressed, F S/(1 + S) with the scale-free
-/// jump of div v between neighbours S = (R/R0)^8, R = jump/(size + 1e-6 c/h of
-/// as many neighbours), and Ducros's factor F = D^2/(D^2 + max(0, e:e - 2/3 D^2)
-/// + 2 w^2), e the deviator of the three-dimensional rate, w = |curl v|/2.
-/// `jump`, `size`: sums of the sensor sweep; `weights`: sum W of the lattice.
+/// Ducros's factor F = D^2/(D^2 + max(0, e:e - 2/3 D^2) + 2 w^2), e the deviator
+/// of the three-dimensional rate, w = |curl v|/2: 1 where all of the motion is
+/// compression along one line, 0 in shear and rotation.
 template <int dim>
-double sharp_sensor(const ViscousPoint<dim> &p, double jump, double size, double weights, double r0)
+double ducros(const ViscousPoint<dim> &p)
 {
-  const double d = p.divergence();
-  if (!(d < 0))
-    return 0;
-  const auto   rate = (.5 * (p.gradient + p.gradient.transpose())).eval();
+  const double d        = p.divergence();
+  const auto   rate     = (.5 * (p.gradient + p.gradient.transpose())).eval();
   const double deviator = rate.squaredNorm() - d * d / 3; // e:e, the missing axes at rest
   const double w        = .5 * curl<dim>(p.gradient);
-  const double ducros   = d * d / (d * d + std::max(0., deviator - 2. / 3 * d * d) + 2 * w * w);
-  const double ratio    = jump / (size + 1e-6 * p.sound / p.h * weights) / r0;
-  const double s2 = ratio * ratio, s4 = s2 * s2, s8 = s4 * s4;
-  return ducros * s8 / (1 + s8);
+  return d * d / (d * d + std::max(0., deviator - 2. / 3 * d * d) + 2 * w * w);
+}
+
+/// Sharper ones: where it is compressed, F S/(1 + S), S = (R/R0)^8, with the
+/// scale-free jump R = jump/(size + 1e-6 c/h of as many neighbours) of div v
+/// between neighbours. That alone (sharp) fires at the nodes of a smooth wave,
+/// where div v changes sign, as it does in a front. With `bend`, what a linear
+/// field leaves of the sum of the differences (curvature), S also has the factor
+/// G/(1 + G), G = (bend/(size ...)/r_bend)^4: nodes are straight, fronts are not.
+/// `weights`: sum W of the lattice.
+struct Unevenness
+{
+  double jump, size, weights, r0;
+  double bend, r_bend; ///< r_bend 0: not asked
+};
+
+template <int dim>
+double uneven_sensor(const ViscousPoint<dim> &p, const Unevenness &u)
+{
+  if (!(p.divergence() < 0))
+    return 0;
+  const auto   power4 = [](double x) { return x * x * x * x; };
+  const double size   = u.size + 1e-6 * p.sound / p.h * u.weights;
+  const double s      = power4(u.jump / size / u.r0) * power4(u.jump / size / u.r0);
+  double       share  = ducros(p) * s / (1 + s);
+  if (u.r_bend > 0)
+  {
+    const double g = power4(u.bend / size / u.r_bend);
+    share *= g / (1 + g);
+  }
+  return share;
 }
 } // namespace ogive::sph
