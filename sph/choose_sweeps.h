@@ -52,8 +52,11 @@ void choose_viscosity(const SweepChoice &c, SweepFunctions &f)
   constexpr bool central = Viscosity::central;
   const bool     fixed   = c.correction == "pairwise" && !c.variable;
   f.viscous = c.limited ? &viscous_sweep<dim, Kernel, Viscosity, true> : &viscous_sweep<dim, Kernel, Viscosity, false>;
-  f.energy  = fixed ? &energy_sweep<dim, Kernel, central, true> : &energy_sweep<dim, Kernel, central, false>;
-  if (!central)
+  if (central && c.direct)
+    f.energy = fixed ? &energy_sweep<dim, Kernel, true, true> : &energy_sweep<dim, Kernel, true, false>;
+  else
+    f.energy = fixed ? &energy_sweep<dim, Kernel, false, true> : &energy_sweep<dim, Kernel, false, false>;
+  if (!central && c.direct)
     f.viscous_power = [](const Sweep &s) {
       pair_power_sweep<dim, central>(s, s.pair_viscosity, Layout<dim>::viscous_power);
     };

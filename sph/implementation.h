@@ -58,7 +58,8 @@ struct Solver<dim>::Implementation
   bool              variable = false; ///< support of the correction
   bool              sensed   = false; ///< something asks for the sums of the sensor sweep
   LatticeShares     shares;
-  int               viscous_terms = 1; ///< numbers a pair that a viscosity keeps
+  int               viscous_terms  = 1; ///< numbers a pair that a viscosity keeps
+  std::size_t       viscous_stride = 0; ///< of its records
   std::vector<Body> bodies;
   Store<dim>        store;
 
@@ -73,6 +74,7 @@ struct Solver<dim>::Implementation
   AlignedVector<double>      force_records, viscous_records, sensor_records, stress_records, correction_records,
     energy_records;
   AlignedVector<double> gradient_sums, mass_sums, sensor_sums, force_sums, viscous_sums, mean_sums, power_sums;
+  AlignedVector<double> unasked = AlignedVector<double>(simd_width); ///< see Sweep::viscosity_step
   AlignedVector<double> velocity_gradient; ///< column by column, corrected where the form is, 1/s
   AlignedVector<double> reach;             ///< h_c of each particle, where supports vary, m
   AlignedVector<double> corrected;         ///< force of the correction alone, where the energy form asks, N

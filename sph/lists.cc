@@ -112,7 +112,7 @@ void Solver<dim>::Implementation::rebuild_lists()
 
   // One record more: the zeros that fill up the rows.
   force_records.assign((all + 1) * L::force_stride, 0.);
-  viscous_records.assign((all + 1) * V::stride, 0.);
+  viscous_records.assign((all + 1) * viscous_stride, 0.);
   correction_records.assign((all + 1) * (variable ? L::wide_correction_stride : L::correction_stride), 0.);
   if (sensed)
     sensor_records.assign((all + 1) * SensorLayout<dim>::stride, 0.);
@@ -136,7 +136,8 @@ void Solver<dim>::Implementation::size_pairs(Pairs &p) const
 {
   const std::size_t n = p.rows.index.size();
   p.hourglass.resize(n);
-  p.viscosity.resize(n * viscous_terms);
+  if (!correction || parameters.options.shock_split != "none")
+    p.viscosity.resize(n * viscous_terms);
   if (is_used(&SweepFunctions::weak_power))
     p.weak.resize(n * viscous_terms);
 }
@@ -232,8 +233,10 @@ Sweep Solver<dim>::Implementation::sweep_of(const Body &b, Pairs &p, double *sum
   s.sensor_records     = sensor_records.data();
   s.stress_records     = stress_records.data();
   s.pair_hourglass     = p.hourglass.data();
-  s.pair_viscosity     = p.viscosity.data();
-  s.pair_weak          = p.weak.empty() ? nullptr : p.weak.data();
+  s.viscosity_step     = !p.viscosity.empty();
+  s.weak_step          = !p.weak.empty();
+  s.pair_viscosity     = s.viscosity_step ? p.viscosity.data() : unasked.data();
+  s.pair_weak          = s.weak_step ? p.weak.data() : unasked.data();
   s.n_entries          = p.rows.index.size();
   s.spacing            = b.spacing;
   s.keep_weak          = correction ? 0 : 1;

@@ -62,7 +62,10 @@ Solver<dim>::Implementation::Implementation(const Parameters &p, std::vector<Bod
   check(o);
   require(p.boundaries.size() == p.boundary_bodies.size(), "one body per boundary");
   shares        = lattice_shares<dim>(o);
-  viscous_terms = with_viscosity<dim>(o.viscosity, [](auto v) { return decltype(v)::n_terms; });
+  with_viscosity<dim>(o.viscosity, [&](auto v) {
+    viscous_terms  = decltype(v)::n_terms;
+    viscous_stride = V::stride(decltype(v)::n_fields, o.limiter != "none");
+  });
   std::size_t n = 0;
   for (const auto &f : filled)
   {
@@ -81,7 +84,8 @@ Solver<dim>::Implementation::Implementation(const Parameters &p, std::vector<Bod
       b.centre_value = KernelAt<Kernel, dim>(b.h).value(0.);
     });
     b.sweeps = choose_sweeps<dim>({standard, f.material->parameters().damage.law != "none", o.kernel, o.viscosity,
-                                   o.limiter != "none", o.correction, variable});
+                                   o.limiter != "none", o.correction, variable,
+                                   !correction || o.shock_split != "none"});
     if (!(o.artificial_stress > 0))
       b.sweeps.artificial_stress = b.sweeps.artificial_stress_power = nullptr;
     bodies.push_back(b);

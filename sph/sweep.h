@@ -67,7 +67,11 @@ struct ViscousLayout : Layout<dim>
 {
   static constexpr int mass = 2 * dim, density = mass + 1, sound = mass + 2, strength = mass + 3, split = mass + 4,
                        extra = mass + 5;
-  static constexpr std::size_t stride = padded(extra + dim * dim + Layout<dim>::n_sym);
+  /// A record is as long as the viscosity and the limiter need.
+  static constexpr std::size_t stride(int n_fields_of_viscosity, bool limited)
+  {
+    return padded(extra + n_fields_of_viscosity + (limited ? Layout<dim>::n_sym : 0));
+  }
   static constexpr int direct_sum = 0, weak_sum = dim, direct_rate = 2 * dim, weak_rate = 2 * dim + 1,
                        n_sums = 2 * dim + 2;
   static constexpr std::size_t sums_stride = padded(n_sums);
@@ -113,6 +117,8 @@ struct Sweep
   /// not central their components, N.
   double     *pair_hourglass = nullptr, *pair_viscosity = nullptr, *pair_weak = nullptr;
   std::size_t n_entries = 0;
+  /// 0 where nobody asks for the numbers: all go to one register's worth of room.
+  std::size_t viscosity_step = 0, weak_step = 0;
 
   double h = 0, spacing = 0, alpha = 0, beta = 0, hourglass = 0;
   double support   = 1; ///< h_c/h of the correction
@@ -148,6 +154,7 @@ struct SweepChoice
   bool        limited    = false;
   std::string correction = "none"; ///< "none", "pairwise", "shepard"
   bool        variable   = false;  ///< support of the correction
+  bool        direct     = true;   ///< some of the viscosity acts as it is
 };
 
 /// Instantiated for dim 1, 2, 3; InputError for an unknown name.

@@ -122,12 +122,13 @@ void Solver<dim>::Implementation::pack_viscosity()
   with_viscosity<dim>(o.viscosity, [&](auto law) {
     using Law          = decltype(law);
     constexpr int rate = V::extra + Law::n_fields;
+    const bool    limited = o.limiter != "none";
     for (const auto &b : bodies)
       for (std::size_t i = b.first; i < b.last; ++i)
       {
         const auto    p      = viscous_point(b, i);
         const double *motion = &force_records[i * L::force_stride];
-        double       *r      = &viscous_records[i * V::stride];
+        double       *r      = &viscous_records[i * viscous_stride];
         std::copy(motion, motion + 2 * dim, r);
         r[V::mass]     = store.mass[i];
         r[V::density]  = p.density;
@@ -135,14 +136,15 @@ void Solver<dim>::Implementation::pack_viscosity()
         r[V::strength] = strength(i, p);
         r[V::split]    = shock_share(b, i, p);
         Law{o.alpha, o.beta, b.h}.prepare(p, r + V::extra);
-        std::copy(motion + L::rate, motion + L::rate + L::n_sym, r + rate);
+        if (limited)
+          std::copy(motion + L::rate, motion + L::rate + L::n_sym, r + rate);
       }
     for (std::size_t g = 0; g < ghosts.size(); ++g)
     {
-      const double *from = &viscous_records[ghosts.parent[g] * V::stride];
-      double       *to   = image_record(viscous_records, V::stride, g);
+      const double *from = &viscous_records[ghosts.parent[g] * viscous_stride];
+      double       *to   = image_record(viscous_records, viscous_stride, g);
       const auto   &s    = ghosts.sign[g];
-      std::copy(from, from + V::stride, to);
+      std::copy(from, from + viscous_stride, to);
       const double *motion = &force_records[(n + g) * L::force_stride];
       std::copy(motion, motion + 2 * dim, to);
       to[V::mass] *= share(g);
@@ -151,7 +153,8 @@ void Solver<dim>::Implementation::pack_viscosity()
         {
           if (Law::n_fields == dim * dim && dim > 1)
             to[V::extra + a * dim + c] = s[a] * s[c] * from[V::extra + a * dim + c];
-          to[rate + L::sym(a, c)] = s[a] * s[c] * from[rate + L::sym(a, c)];
+          if (limited)
+            to[rate + L::sym(a, c)] = s[a] * s[c] * from[rate + L::sym(a, c)];
         }
     }
   });

@@ -18,18 +18,19 @@ template <int dim, class Kernel, class Viscosity, bool limited>
   using L                = ViscousLayout<dim>;
   constexpr int law      = L::extra, rate = L::extra + Viscosity::n_fields;
   constexpr int n_fields = rate + (limited ? L::n_sym : 0), n = Viscosity::n_terms;
+  constexpr std::size_t       stride = L::stride(Viscosity::n_fields, limited);
   const KernelAt<Kernel, dim> kernel(s.h);
   const Viscosity             viscosity{s.alpha, s.beta, s.h};
   for (std::size_t i = s.begin; i < s.end; ++i)
   {
-    const double *own = s.viscous_records + i * L::stride;
+    const double *own = s.viscous_records + i * stride;
     VDouble       sum[L::sums_stride];
     for (auto &a : sum)
       a = 0.;
     for (std::size_t p = s.row[i]; p < s.row[i + 1]; p += simd_width)
     {
       VDouble j[padded(n_fields)];
-      load_records<n_fields>(s.viscous_records, L::stride, s.index + p, j);
+      load_records<n_fields>(s.viscous_records, stride, s.index + p, j);
       ViscousPair<dim> pair;
       pair.r2 = 0.;
       pair.vx = 0.;
@@ -73,7 +74,8 @@ template <int dim, class Kernel, class Viscosity, bool limited>
       for (int k = 0; k < n; ++k)
       {
         const VDouble direct = raw * terms.raw[k] + kept * terms.weak[k], weak = given * terms.weak[k];
-        direct.copy_to(s.pair_viscosity + k * s.n_entries + p, stdx::vector_aligned);
+        direct.copy_to(s.pair_viscosity + s.viscosity_step * (k * s.n_entries + p), stdx::vector_aligned);
+        weak.copy_to(s.pair_weak + s.weak_step * (k * s.n_entries + p), stdx::vector_aligned);
         if constexpr (Viscosity::central)
           for (int a = 0; a < dim; ++a)
           {
@@ -85,8 +87,6 @@ template <int dim, class Kernel, class Viscosity, bool limited>
           sum[L::direct_sum + k] += direct;
           sum[L::weak_sum + k] += weak;
         }
-        if (s.pair_weak)
-          weak.copy_to(s.pair_weak + k * s.n_entries + p, stdx::vector_aligned);
       }
       const VDouble damping = scale * terms.rate * pair.r2;
       sum[L::direct_rate] += damping * (shock + s.keep_weak * (1. - shock));

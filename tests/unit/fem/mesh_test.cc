@@ -17,7 +17,7 @@ namespace
 {
 input::Body round(input::ShapeKind kind, double radius, double inner, double length, double spacing)
 {
-  input::Body b        = box({}, {}, spacing);
+  input::Body b        = box(Vec3::Zero(), Vec3::Zero(), spacing);
   b.shape.kind         = kind;
   b.shape.radius       = radius;
   b.shape.inner_radius = inner;

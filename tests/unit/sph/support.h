@@ -93,7 +93,8 @@ struct Cloud
   std::vector<double> mass, density;
   NeighbourRows       rows;
   Sweep               sweep;
-  AlignedVector<double> force, correction, energy, gradient_sums, force_sums, power_sums, viscosity, hourglass, viscous, viscous_sums;
+  AlignedVector<double> force, correction, energy, gradient_sums, force_sums, power_sums, viscosity, hourglass, viscous, viscous_sums,
+    unasked = AlignedVector<double>(simd_width);
 
   explicit Cloud(const BodyParticles<dim> &p, double h_)
     : h(h_)
@@ -128,7 +129,6 @@ struct Cloud
     gradient_sums.assign(n * L::gradient_stride, 0.);
     force_sums.assign(n * L::forces_stride, 0.);
     power_sums.assign(n * L::powers_stride, 0.);
-    viscous.assign((n + 1) * V_::stride, 0.);
     viscous_sums.assign(n * V_::sums_stride, 0.);
     hourglass.assign(rows.index.size(), 0.);
     viscosity.assign(rows.index.size() * dim, 0.);
@@ -151,8 +151,9 @@ struct Cloud
     sweep.force_records      = force.data();
     sweep.correction_records = correction.data();
     sweep.energy_records     = energy.data();
-    sweep.viscous_records    = viscous.data();
     sweep.pair_viscosity     = viscosity.data();
+    sweep.viscosity_step     = 1;
+    sweep.pair_weak          = unasked.data();
     sweep.n_entries          = rows.index.size();
     sweep.pair_hourglass     = hourglass.data();
     sweep.h                  = h;
@@ -163,11 +164,14 @@ struct Cloud
 
   /// Records for the viscous sweep, all of the viscosity weak and kept.
   template <class Law>
-  void pack_viscous(const std::vector<M> &gradients)
+  void pack_viscous(const std::vector<M> &gradients, bool limited)
   {
+    const std::size_t stride = V_::stride(Law::n_fields, limited);
+    viscous.assign((size() + 1) * stride, 0.);
+    sweep.viscous_records = viscous.data();
     for (std::size_t i = 0; i < size(); ++i)
     {
-      double           *r = &viscous[i * V_::stride];
+      double           *r = &viscous[i * stride];
       ViscousPoint<dim> p;
       p.gradient = gradients[i];
       p.density  = density[i];
@@ -180,7 +184,7 @@ struct Cloud
       r[V_::strength] = 1;
       Law{sweep.alpha, sweep.beta, h}.prepare(p, r + V_::extra);
       for (int a = 0; a < dim; ++a)
-        for (int b = a; b < dim; ++b)
+        for (int b = a; limited && b < dim; ++b)
           r[V_::extra + Law::n_fields + L::sym(a, b)] = .5 * (gradients[i](a, b) + gradients[i](b, a));
     }
   }

@@ -24,11 +24,14 @@ struct Case
   std::vector<M> gradients;
   SweepFunctions sweeps;
 
-  explicit Case(bool limited)
+  bool           limited;
+
+  explicit Case(bool with_limiter)
     : cloud(box<dim>(Vec3::Zero(), spacing * (dim == 1 ? Vec3(30, 0, 0) : dim == 2 ? Vec3(9, 7, 0) : Vec3(6, 5, 5)),
                      spacing, copper(), .2),
             h)
-    , sweeps(choose_sweeps<dim>({.viscosity = Law::name, .limited = limited}))
+    , sweeps(choose_sweeps<dim>({.viscosity = Law::name, .limited = with_limiter}))
+    , limited(with_limiter)
   {}
 
   template <class F>
@@ -41,7 +44,7 @@ struct Case
     gradients.clear();
     for (std::size_t i = 0; i < cloud.size(); ++i)
       gradients.push_back(cloud.difference(i) * cloud.moment(i).inverse());
-    cloud.template pack_viscous<Law>(gradients);
+    cloud.template pack_viscous<Law>(gradients, limited);
     sweeps.viscous(cloud.with(cloud.viscous_sums));
   }
   double size() const

@@ -79,7 +79,7 @@ TEST(Piston, CopperAt20)
   piston.kind     = input::BoundaryKind::velocity;
   piston.velocity = {20, 0, 0};
   scene.boundaries.push_back(piston);
-  auto      solver = solver_for<1>(box({}, {1, 0, 0}, 1. / 1000), scene, p);
+  auto      solver = solver_for<1>(box(Vec3::Zero(), {1, 0, 0}, 1. / 1000), scene, p);
   Driver<1> driver{solver};
   const double e0 = closed(solver.balance()); // the driven node starts with the piston's speed
   // Arrival of half the jump at two stations: wave speed between them in the
@@ -117,7 +117,7 @@ void taylor(input::Dimension dimension, double spacing, double hourglass, double
   scene.dimension       = dimension;
   const bool rz         = dimension == input::Dimension::axisymmetric;
   const Vec3 axis       = rz ? Vec3::UnitY() : Vec3::UnitZ();
-  input::Body body      = box({}, {}, spacing, -227 * axis);
+  input::Body body      = box(Vec3::Zero(), Vec3::Zero(), spacing, -227 * axis);
   body.shape.kind       = input::ShapeKind::cylinder;
   body.shape.axis       = axis;
   body.shape.radius     = 3.2e-3;
