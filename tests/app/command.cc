@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "tests/app/command.h"
 
+#include <gtest/gtest.h>
+
+#include <cmath>
+
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -75,5 +79,26 @@ double quantity(const nlohmann::json &summary, const std::string &name)
 std::string scene(const std::string &name)
 {
   return std::string(OGIVE_SOURCE_DIR) + "/apps/scenes/" + name;
+}
+
+double error(const nlohmann::json &summary, const std::string &name)
+{
+  return std::abs(summary.at("quantities").at(name).at("relative_error").get<double>());
+}
+
+double check(const nlohmann::json &summary, const std::string &name)
+{
+  return std::abs(summary.at("checks").at(name).get<double>());
+}
+
+nlohmann::json run_scene(const std::string &name, const std::vector<std::string> &settings)
+{
+  const Scratch            scratch;
+  std::vector<std::string> arguments = {"run", scene(name), "-o", scratch.path("r")};
+  for (const std::string &s : settings)
+    arguments.insert(arguments.end(), {"--set", s});
+  const Outcome outcome = ogive(arguments);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  return outcome.status == 0 ? summary(scratch.path("r")) : nlohmann::json();
 }
 } // namespace ogive::test

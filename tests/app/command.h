@@ -38,6 +38,14 @@ void           write_file(const std::string &path, const std::string &text);
 nlohmann::json summary(const std::string &directory);
 double         quantity(const nlohmann::json &summary, const std::string &name);
 
+/// |relative error| of a quantity, |value| of a check.
+double error(const nlohmann::json &summary, const std::string &name);
+double check(const nlohmann::json &summary, const std::string &name);
+
 /// A shipped scene: apps/scenes/<name>.
 std::string scene(const std::string &name);
+
+/// Runs a shipped scene with `--set` of each setting and returns its summary;
+/// fails the test, and returns none, if it fails.
+nlohmann::json run_scene(const std::string &name, const std::vector<std::string> &settings = {});
 } // namespace ogive::test

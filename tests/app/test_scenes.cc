@@ -10,28 +10,6 @@ using namespace ogive::test;
 
 namespace
 {
-/// Runs a scene and returns its summary.
-nlohmann::json run(const std::string &name, const std::vector<std::string> &settings = {})
-{
-  const Scratch            scratch;
-  std::vector<std::string> arguments = {"run", scene(name), "-o", scratch.path("r")};
-  for (const std::string &s : settings)
-    arguments.insert(arguments.end(), {"--set", s});
-  const Outcome outcome = ogive::test::ogive(arguments);
-  EXPECT_EQ(outcome.status, 0) << outcome.err;
-  return outcome.status == 0 ? summary(scratch.path("r")) : nlohmann::json();
-}
-
-double error(const nlohmann::json &s, const std::string &name)
-{
-  return std::abs(s.at("quantities").at(name).at("relative_error").get<double>());
-}
-
-double check(const nlohmann::json &s, const std::string &name)
-{
-  return std::abs(s.at("checks").at(name).get<double>());
-}
-
 void elastic_bar_holds(const nlohmann::json &s)
 {
   // exact: contact 2 L/c_L, restitution 1
@@ -50,28 +28,28 @@ void piston_holds(const nlohmann::json &s)
 }
 } // namespace
 
-TEST(ElasticBar, Elements) { elastic_bar_holds(run("elastic-bar/scene.prm")); }
+TEST(ElasticBar, Elements) { elastic_bar_holds(run_scene("elastic-bar/scene.prm")); }
 
 TEST(ElasticBar, Particles)
 {
-  const auto s = run("elastic-bar/scene.prm", {"Bodies/bar/method=sph"});
+  const auto s = run_scene("elastic-bar/scene.prm", {"Bodies/bar/method=sph"});
   elastic_bar_holds(s);
   EXPECT_LT(check(s, "energy_drift"), 1e-10);
 }
 
 TEST(ElasticBar, Split)
 {
-  elastic_bar_holds(run("elastic-bar/split.prm"));
+  elastic_bar_holds(run_scene("elastic-bar/split.prm"));
 }
 
-TEST(PistonCopper, ParticlesAt20) { piston_holds(run("piston-copper/scene.prm")); }
-TEST(PistonCopper, ParticlesAt40) { piston_holds(run("piston-copper/piston-40.prm")); }
-TEST(PistonCopper, ElementsAt20) { piston_holds(run("piston-copper/scene.prm", {"Bodies/copper/method=fem"})); }
-TEST(PistonCopper, ElementsAt40) { piston_holds(run("piston-copper/piston-40.prm", {"Bodies/copper/method=fem"})); }
+TEST(PistonCopper, ParticlesAt20) { piston_holds(run_scene("piston-copper/scene.prm")); }
+TEST(PistonCopper, ParticlesAt40) { piston_holds(run_scene("piston-copper/piston-40.prm")); }
+TEST(PistonCopper, ElementsAt20) { piston_holds(run_scene("piston-copper/scene.prm", {"Bodies/copper/method=fem"})); }
+TEST(PistonCopper, ElementsAt40) { piston_holds(run_scene("piston-copper/piston-40.prm", {"Bodies/copper/method=fem"})); }
 
 TEST(TaylorCopper, Axisymmetric)
 {
-  const auto s = run("taylor-copper-227/axisymmetric.prm");
+  const auto s = run_scene("taylor-copper-227/axisymmetric.prm");
   EXPECT_LT(error(s, "final_length"), .01);
   EXPECT_LT(error(s, "foot_radius"), .01);
   EXPECT_LT(check(s, "energy_drift"), .01);
@@ -79,7 +57,7 @@ TEST(TaylorCopper, Axisymmetric)
 
 TEST(TaylorCopper, QuarterOfElements)
 {
-  const auto s = run("taylor-copper-227/scene.prm");
+  const auto s = run_scene("taylor-copper-227/scene.prm");
   EXPECT_LT(error(s, "final_length"), .01);
   EXPECT_LT(error(s, "foot_radius"), .01);
   EXPECT_LT(check(s, "energy_drift"), .01);
@@ -88,7 +66,7 @@ TEST(TaylorCopper, QuarterOfElements)
 
 TEST(TaylorCopper, QuarterOfParticles)
 {
-  const auto s = run("taylor-copper-227/scene.prm", {"Bodies/bar/method=sph"});
+  const auto s = run_scene("taylor-copper-227/scene.prm", {"Bodies/bar/method=sph"});
   EXPECT_LT(error(s, "final_length"), .04);
   EXPECT_LT(error(s, "foot_radius"), .04);
   EXPECT_LT(check(s, "energy_drift"), 1e-10);
@@ -96,7 +74,7 @@ TEST(TaylorCopper, QuarterOfParticles)
 
 TEST(SpinningBlock, SplitKeepsItsMomenta)
 {
-  const auto s = run("spinning-block/split.prm", {"end time=2 ms"});
+  const auto s = run_scene("spinning-block/split.prm", {"end time=2 ms"});
   EXPECT_LT(check(s, "momentum_drift"), 1e-12);
   EXPECT_LT(check(s, "energy_drift"), 1e-10);
   // the correction's pair impulses are not central
@@ -109,7 +87,7 @@ namespace
 /// (184.5 m/s, test) a shot lies on does not hang on the resolution.
 nlohmann::json coarse_plate(const std::string &speed)
 {
-  return run("plate-weldox-blunt/scene.prm",
+  return run_scene("plate-weldox-blunt/scene.prm",
              {"Bodies/projectile/velocity=0, 0, -" + speed, "Bodies/plate-zone/spacing=1.5 mm",
               "Bodies/projectile/spacing=2.5 mm", "Bodies/plate-rest/spacing=3 mm"});
 }

@@ -9,36 +9,11 @@
 
 using namespace ogive::test;
 
-namespace
-{
-/// Runs a scene and returns its summary; none if it fails.
-nlohmann::json run(const std::string &name, const std::vector<std::string> &settings)
-{
-  const Scratch            scratch;
-  std::vector<std::string> arguments = {"run", scene(name), "-o", scratch.path("r")};
-  for (const std::string &s : settings)
-    arguments.insert(arguments.end(), {"--set", s});
-  const Outcome outcome = ogive::test::ogive(arguments);
-  EXPECT_EQ(outcome.status, 0) << outcome.err;
-  return outcome.status == 0 ? summary(scratch.path("r")) : nlohmann::json();
-}
-
-double error(const nlohmann::json &s, const std::string &name)
-{
-  return std::abs(s.at("quantities").at(name).at("relative_error").get<double>());
-}
-
-double check(const nlohmann::json &s, const std::string &name)
-{
-  return std::abs(s.at("checks").at(name).get<double>());
-}
-} // namespace
-
 // exact: period in the linear limit, validation A6
 TEST(OscillatingPlate, ElementsSwingInTime)
 {
   const auto s =
-      run("oscillating-plate/scene.prm", {"Bodies/plate/method=fem", "Bodies/plate/lower=0, -10 mm"});
+      run_scene("oscillating-plate/scene.prm", {"Bodies/plate/method=fem", "Bodies/plate/lower=0, -10 mm"});
   EXPECT_LT(error(s, "period"), .01);
   EXPECT_LT(error(s, "energy_kept"), .005);
 }
@@ -46,7 +21,7 @@ TEST(OscillatingPlate, ElementsSwingInTime)
 // Small enough a swing that stretched particles do not pair up within a period.
 TEST(OscillatingPlate, ParticlesSwing)
 {
-  const auto s = run("oscillating-plate/scene.prm", {"Bodies/plate/field speed=0.001 m/s"});
+  const auto s = run_scene("oscillating-plate/scene.prm", {"Bodies/plate/field speed=0.001 m/s"});
   EXPECT_LT(error(s, "period"), .1);
   EXPECT_LT(error(s, "energy_kept"), .02);
   EXPECT_LT(check(s, "energy_drift"), 1e-10);
@@ -55,7 +30,7 @@ TEST(OscillatingPlate, ParticlesSwing)
 // exact: rubber is elastic and the rings are mirror images
 TEST(RubberRings, ElementsReboundWhole)
 {
-  const auto s = run("rubber-rings/scene.prm", {"Bodies/left/method=fem", "Bodies/right/method=fem"});
+  const auto s = run_scene("rubber-rings/scene.prm", {"Bodies/left/method=fem", "Bodies/right/method=fem"});
   EXPECT_EQ(quantity(s, "fragments_left"), 1);
   EXPECT_EQ(quantity(s, "fragments_right"), 1);
   EXPECT_GT(quantity(s, "rebound_velocity"), 0);
@@ -68,9 +43,9 @@ TEST(RubberRings, ElementsReboundWhole)
 TEST(RubberRings, ParticlesBeginToBend)
 {
   const std::vector<std::string> until = {"end time=20 us"};
-  const auto                     s     = run("rubber-rings/scene.prm", until);
+  const auto                     s     = run_scene("rubber-rings/scene.prm", until);
   const auto                     e =
-      run("rubber-rings/scene.prm", {"end time=20 us", "Bodies/left/method=fem", "Bodies/right/method=fem"});
+      run_scene("rubber-rings/scene.prm", {"end time=20 us", "Bodies/left/method=fem", "Bodies/right/method=fem"});
   EXPECT_EQ(quantity(s, "fragments_left"), 1);
   EXPECT_GT(quantity(s, "smallest_distance"), .7);
   const double speed = 237.911, lost = speed + quantity(e, "rebound_velocity");
@@ -90,7 +65,7 @@ TEST(StruckBeam, ElementsLieBetweenTheBounds)
   for (const auto &c : cases)
   {
     const auto s =
-        run("struck-beam/scene.prm", {"Bodies/beam/method=fem", "Bodies/beam/upper=50.8, 3.175 mm",
+        run_scene("struck-beam/scene.prm", {"Bodies/beam/method=fem", "Bodies/beam/upper=50.8, 3.175 mm",
                                       std::string("Bodies/striker/velocity=0, -") + c.speed + " m/s"});
     EXPECT_GT(quantity(s, "mid_deflection"), c.circumscribed) << c.speed;
     EXPECT_LT(quantity(s, "mid_deflection"), c.inscribed) << c.speed;
@@ -101,7 +76,7 @@ TEST(StruckBeam, ElementsLieBetweenTheBounds)
 // exact: stopping radii, validation A8
 TEST(BerylliumCylinder, Elements)
 {
-  const auto s = run("beryllium-cylinder/scene.prm", {"Bodies/tube/method=fem", "Bodies/tube/spacing=2 mm"});
+  const auto s = run_scene("beryllium-cylinder/scene.prm", {"Bodies/tube/method=fem", "Bodies/tube/spacing=2 mm"});
   EXPECT_LT(error(s, "stopping_radius"), .005);
   EXPECT_LT(error(s, "stopping_time"), .005);
   EXPECT_LT(error(s, "roundness"), .005);
@@ -109,7 +84,7 @@ TEST(BerylliumCylinder, Elements)
 
 TEST(BerylliumCylinder, Particles)
 {
-  const auto s = run("beryllium-cylinder/scene.prm", {"Bodies/tube/spacing=2 mm"});
+  const auto s = run_scene("beryllium-cylinder/scene.prm", {"Bodies/tube/spacing=2 mm"});
   EXPECT_LT(error(s, "stopping_radius"), .02);
   EXPECT_LT(error(s, "stopping_time"), .02);
   EXPECT_LT(error(s, "roundness"), .02);
@@ -118,7 +93,7 @@ TEST(BerylliumCylinder, Particles)
 
 TEST(BerylliumSphere, Section)
 {
-  const auto s = run("beryllium-sphere/axisymmetric.prm", {});
+  const auto s = run_scene("beryllium-sphere/axisymmetric.prm", {});
   EXPECT_LT(error(s, "stopping_radius"), .01);
   EXPECT_LT(error(s, "stopping_time"), .01);
   EXPECT_LT(error(s, "roundness"), .01);
@@ -126,7 +101,7 @@ TEST(BerylliumSphere, Section)
 
 TEST(BerylliumSphere, Particles)
 {
-  const auto s = run("beryllium-sphere/scene.prm", {"Bodies/sphere/spacing=5 mm"});
+  const auto s = run_scene("beryllium-sphere/scene.prm", {"Bodies/sphere/spacing=5 mm"});
   EXPECT_LT(error(s, "stopping_radius"), .1);
   EXPECT_LT(check(s, "energy_drift"), 1e-10);
 }
@@ -134,7 +109,7 @@ TEST(BerylliumSphere, Particles)
 // code: what others reach with the same law, validation C2; the test is shorter
 TEST(TaylorOfhc, SectionReachesOtherCodes)
 {
-  const auto s = run("taylor-ofhc-190/axisymmetric.prm", {"Bodies/bar/spacing=0.5 mm"});
+  const auto s = run_scene("taylor-ofhc-190/axisymmetric.prm", {"Bodies/bar/spacing=0.5 mm"});
   EXPECT_LT(error(s, "final_length_hex"), .02);
   EXPECT_LT(error(s, "foot_radius_hex"), .03);
   EXPECT_LT(check(s, "energy_drift"), .01);
@@ -143,7 +118,7 @@ TEST(TaylorOfhc, SectionReachesOtherCodes)
 // test: validation C3; the foot of the test looks high
 TEST(TaylorSteel, SectionAgainstTheTest)
 {
-  const auto s = run("taylor-steel-208/axisymmetric.prm", {"Bodies/bar/spacing=0.5 mm"});
+  const auto s = run_scene("taylor-steel-208/axisymmetric.prm", {"Bodies/bar/spacing=0.5 mm"});
   EXPECT_LT(error(s, "final_length"), .02);
   EXPECT_LT(error(s, "width_at"), .03);
   EXPECT_LT(check(s, "energy_drift"), .01);
@@ -153,7 +128,7 @@ TEST(TaylorSteel, SectionAgainstTheTest)
 // (1 + e)^(-nu/(1 - nu)); here to e = 4.25 %
 TEST(TensileBar, StretchesEvenlyAtFirst)
 {
-  const auto s = run("tensile-bar/scene.prm", {"end time=0.4 ms"});
+  const auto s = run_scene("tensile-bar/scene.prm", {"end time=0.4 ms"});
   EXPECT_NEAR(quantity(s, "smallest_distance"), std::pow(1.0425, -.3975 / .6025), .03);
   EXPECT_EQ(quantity(s, "fragments"), 1);
 }
@@ -161,7 +136,7 @@ TEST(TensileBar, StretchesEvenlyAtFirst)
 // The shares are parts of one energy; the rest is heat of viscosity.
 TEST(FreeBeam, SharesAddUp)
 {
-  const auto   s = run("free-beam/scene.prm", {"Bodies/beam/method=fem", "Bodies/beam/spacing=1.5875 mm"});
+  const auto   s = run_scene("free-beam/scene.prm", {"Bodies/beam/method=fem", "Bodies/beam/spacing=1.5875 mm"});
   const double sum =
       quantity(s, "plastic_share") + quantity(s, "kinetic_share") + quantity(s, "elastic_share");
   EXPECT_GT(sum, .95);

@@ -15,13 +15,7 @@ namespace
 {
 nlohmann::json run(const std::string &name, const std::vector<std::string> &settings)
 {
-  const Scratch            scratch;
-  std::vector<std::string> arguments = {"run", scene(name), "-o", scratch.path("r")};
-  for (const std::string &s : settings)
-    arguments.insert(arguments.end(), {"--set", s});
-  const Outcome outcome = ogive::test::ogive(arguments);
-  EXPECT_EQ(outcome.status, 0) << outcome.err;
-  nlohmann::json s = outcome.status == 0 ? summary(scratch.path("r")) : nlohmann::json();
+  const nlohmann::json s = run_scene(name, settings);
   // numerics.md: the books close to rounding, in whatever scene
   EXPECT_LT(std::abs(s.at("checks").at("energy_drift").get<double>()), 1e-10);
   return s;
@@ -37,11 +31,6 @@ nlohmann::json pairwise(const std::string &name, std::vector<std::string> settin
 {
   settings.push_back("SPH/correction=pairwise");
   return run(name, settings);
-}
-
-double error(const nlohmann::json &s, const std::string &name)
-{
-  return std::abs(s.at("quantities").at(name).at("relative_error").get<double>());
 }
 } // namespace
 
