@@ -102,7 +102,9 @@ std::vector<Point<dim>> ContactPair<dim>::all_positions(const Faces<dim> &faces)
 template <int dim>
 void ContactPair<dim>::update(const Faces<dim> &faces, const std::vector<int> &symmetry_axes)
 {
-  symmetry_axes_         = symmetry_axes;
+  symmetry_axes_.clear();
+  std::copy_if(symmetry_axes.begin(), symmetry_axes.end(), std::back_inserter(symmetry_axes_),
+               [](int axis) { return axis < dim; });
   const bool moved_house = !built_ || topology_[0] != faces[0].topology || topology_[1] != faces[1].topology;
   if (moved_house)
   {
