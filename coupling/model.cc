@@ -105,7 +105,8 @@ Model<dim>::Model(const input::Scene &scene)
       std::move(meshes));
   if (!clouds.empty())
     sph_ = std::make_unique<sph::Solver<dim>>(
-      sph::Parameters{scene.sph, scene.symmetry, scene.walls, scene.boundaries, boundary_bodies(scene)},
+      sph::Parameters{scene.sph, scene.dimension == input::Dimension::axisymmetric, scene.symmetry, scene.walls,
+                      scene.boundaries, boundary_bodies(scene)},
       std::move(clouds));
   coupler_ = std::make_unique<Coupler<dim>>(scene, fem_.get(), sph_.get());
   for (const input::Contact &contact : scene.contacts)

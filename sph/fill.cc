@@ -14,12 +14,17 @@ template <int dim>
 BodyParticles<dim> fill(const input::Body &body, const input::Scene &scene, int body_index,
                         std::shared_ptr<const materials::Material> material)
 {
-  const ShapeLattice lattice = lattice_in(body.shape, body.spacing, dim, scene.symmetry, body.name);
+  const bool         turned  = scene.dimension == input::Dimension::axisymmetric;
+  const ShapeLattice lattice = lattice_in(body.shape, body.spacing, dim, turned, scene.symmetry, body.name);
   BodyParticles<dim> out;
   out.body     = body_index;
   out.spacing  = lattice.spacing;
   out.shape    = body.shape;
-  out.mass.assign(lattice.points.size(), material->density() * lattice.volume / lattice.points.size());
+  double shares = 0; // of equal volumes, or of rings of equal section
+  for (const auto &x : lattice.points)
+    shares += turned ? x[0] : 1.;
+  for (const auto &x : lattice.points)
+    out.mass.push_back(material->density() * lattice.volume * (turned ? x[0] : 1.) / shares);
 
   Vec3 centre = Vec3::Zero();
   for (const auto &x : lattice.points)

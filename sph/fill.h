@@ -8,7 +8,7 @@ namespace ogive::sph
 /// Fills a body with particles on a cubic lattice of its spacing, clipped by
 /// the scene's symmetry planes (sph/shape_lattice.h). The mass is density times
 /// the exact volume of the modelled part (plane strain: per metre; 1-D: per
-/// square metre), shared equally. Velocities: translation, spin about the
+/// square metre), shared equally; axisymmetric: by the radius, whole rings. Velocities: translation, spin about the
 /// centre of mass, and the velocity field.
 ///
 /// `body_index`: index into Scene::bodies. InputError naming the body.

@@ -67,6 +67,15 @@ double Solver<dim>::Implementation::gap(std::size_t w, double x, double at) cons
 }
 
 template <int dim>
+double Solver<dim>::Implementation::rest_gap(const Body &b, std::size_t i, std::size_t w) const
+{
+  double height2 = 0;
+  for (int a = 0; a < dim; ++a)
+    height2 += std::pow(store.half_cell[a][i] * parameters.walls[w].normal[a], 2);
+  return std::min(.5 * b.spacing, std::sqrt(height2));
+}
+
+template <int dim>
 bool Solver<dim>::Implementation::is_near(const Body &b, std::size_t w,
                                           const PerAxis<AlignedVector<double>> &x, double at) const
 {
@@ -87,9 +96,10 @@ void Solver<dim>::Implementation::touch_walls()
         continue;
       const auto        &wall = parameters.walls[w];
       const std::int64_t bit  = std::int64_t(1) << w;
-      const double       rest = .5 * b.spacing, slack = touch_slack * b.spacing;
+      const double       slack = touch_slack * b.spacing;
       for (std::size_t i = b.first; i < b.last; ++i)
       {
+        const double rest     = rest_gap(b, i, w);
         const double distance = gap(w, store.x[a][i], time);
         if (distance > b.spacing)
         {
@@ -273,6 +283,7 @@ void Solver<dim>::Implementation::book_images(double kick)
 #define OGIVE_INSTANTIATE(d)                                                                                 \
   template void   Solver<d>::Implementation::find_wall_axes();                                               \
   template double Solver<d>::Implementation::gap(std::size_t, double, double) const;                         \
+  template double Solver<d>::Implementation::rest_gap(const Body &, std::size_t, std::size_t) const;         \
   template bool   Solver<d>::Implementation::is_near(const Body &, std::size_t,                              \
                                                      const PerAxis<AlignedVector<double>> &, double) const;  \
   template void   Solver<d>::Implementation::touch_walls();                                                  \

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "sph/axis_factor.h"
 #include "sph/ghosts.h"
 #include "sph/images.h"
 #include "sph/neighbours.h"
@@ -11,6 +12,8 @@
 #include "sph/viscosity/pair.h"
 
 #include <Eigen/Core>
+
+#include <optional>
 
 namespace ogive::sph
 {
@@ -29,7 +32,7 @@ struct Works
 /// step; viscous.cc, correct.cc, support.cc: forces, the correction and its
 /// support; motion.cc: kick, boundaries, drift; lists.cc: rebuild and records;
 /// images.cc: images behind rigid walls; surface.cc: what contact sees;
-/// state.cc: snapshots and checkpoints.
+/// state.cc: snapshots and checkpoints; axis.cc: axial symmetry.
 template <int dim>
 struct Solver<dim>::Implementation
 {
@@ -58,6 +61,7 @@ struct Solver<dim>::Implementation
   bool              variable = false; ///< support of the correction
   bool              sensed   = false; ///< something asks for the sums of the sensor sweep
   LatticeShares     shares;
+  std::optional<AxisFactor> axis_factor; ///< where the scene turns about an axis
   int               viscous_terms  = 1; ///< numbers a pair that a viscosity keeps
   std::size_t       viscous_stride = 0; ///< of its records
   std::vector<Body> bodies;
@@ -78,6 +82,7 @@ struct Solver<dim>::Implementation
   AlignedVector<double> velocity_gradient; ///< column by column, corrected where the form is, 1/s
   AlignedVector<double> reach;             ///< h_c of each particle, where supports vary, m
   AlignedVector<double> corrected;         ///< force of the correction alone, where the energy form asks, N
+  AlignedVector<double> hoop_force, hoop_viscosity, hoop_weak; ///< radial forces of axis.cc, N
   AlignedVector<double>      wave_number; ///< step_bound.h, 1/m, of the last gradient sweep
   std::vector<std::uint32_t> index_of_id;
   std::vector<std::int64_t>  near_surface; ///< kept through a rebuild's first sweep: part of the state
@@ -117,6 +122,10 @@ struct Solver<dim>::Implementation
   // images.cc
   void   find_wall_axes();
   double gap(std::size_t w, double x, double at) const; ///< from wall w to coordinate x at a time, m
+  /// Distance at which particle i lies on wall w, m: half the height of its cell
+  /// across the wall, so that layers that are squeezed flat lie flat on it; never
+  /// more than half a spacing.
+  double rest_gap(const Body &, std::size_t i, std::size_t w) const;
   /// Whether a particle is closer to wall w than a spacing.
   bool   is_near(const Body &, std::size_t w, const PerAxis<AlignedVector<double>> &x, double at) const;
   void   touch_walls(); ///< from x, v, time and the stress of the step before
@@ -164,6 +173,16 @@ struct Solver<dim>::Implementation
   void              sweep_viscosity();
   void              stress_artificially();
 
+  // axis.cc
+  double ring(std::size_t i) const;      ///< 2 pi r, m; 1 without an axis
+  double hoop_rate(std::size_t i) const; ///< v_r/r, 1/s; 0 without an axis
+  double axis_share(const Body &, std::size_t i) const; ///< AxisFactor, 1 without an axis
+  void   add_hoop_stress();
+  void   add_hoop_viscosity();
+  void   heat_hoops();
+  double ring_frequency(const Body &, std::size_t i, double plane) const;
+  double inward_step(std::size_t i) const; ///< longest step in which it stays clear of the axis, s
+
   // correct.cc
   void correct(); ///< adds what the correction makes of the weak viscous forces
   void pack_correction();
@@ -180,9 +199,9 @@ struct Solver<dim>::Implementation
 
   // motion.cc
   void       kick(const TimeStep &);
-  double     landing(std::size_t i, std::size_t w, const TimeStep &, double spacing) const;
+  double     landing(const Body &, std::size_t i, std::size_t w, const TimeStep &) const;
   void       share_friction(const TimeStep &);
-  void       land_on_walls(std::size_t i, const TimeStep &, double spacing);
+  void       land_on_walls(const Body &, std::size_t i, const TimeStep &);
   void       stay_on_side(std::size_t i, const TimeStep &);
   void       book_planes(double kick);
   StepStatus drift(double dt);
@@ -206,6 +225,8 @@ struct Solver<dim>::Implementation
         m(a, b) = sums[L::sym(a, b)];
     return m;
   }
-  double  weight(std::size_t i) const { return standard ? store.mass[i] : store.mass[i] / store.swept_density[i]; }
+  /// Mass per volume of the space of the sweeps: kg/m^dim.
+  double plane_density(std::size_t i) const { return ring(i) * store.swept_density[i]; }
+  double weight(std::size_t i) const { return standard ? store.mass[i] : store.mass[i] / plane_density(i); }
 };
 } // namespace ogive::sph

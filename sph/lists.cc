@@ -175,7 +175,7 @@ void Solver<dim>::Implementation::pack_motion()
       r[L::v + a] = store.v[a][i];
     }
     r[L::weight]  = weight(i);
-    r[L::density] = store.swept_density[i];
+    r[L::density] = plane_density(i);
   }
   reflect_motion();
 }

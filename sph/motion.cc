@@ -16,6 +16,8 @@ constexpr bool is_fixed(std::int64_t bits, int axis)
 {
   return bits >> axis & 1;
 }
+/// Share of its radius that a ring keeps in any step.
+constexpr double clear_of_axis = .25;
 } // namespace
 
 template <int dim>
@@ -66,10 +68,11 @@ void Solver<dim>::Implementation::stay_on_side(std::size_t i, const TimeStep &t)
 {
   for (const auto &plane : parameters.symmetry)
   {
-    const int a = plane.axis;
-    if (!(store.x[a][i] + t.drift * store.v[a][i] < 0))
+    const int    a     = plane.axis;
+    const double least = parameters.axisymmetric && a == 0 ? clear_of_axis * store.x[a][i] : 0.;
+    if (!(store.x[a][i] + t.drift * store.v[a][i] < least))
       continue;
-    const double landed = -store.x[a][i] / t.drift;
+    const double landed = (least - store.x[a][i]) / t.drift;
     const double mean   = .5 * (energy_records[i * L::energy_stride + L::v + a] + landed);
     works.wall_loss -= store.mass[i] * (landed - store.v[a][i]) * mean;
     works.impulse[a] += store.mass[i] * (landed - store.v[a][i]);
@@ -77,12 +80,12 @@ void Solver<dim>::Implementation::stay_on_side(std::size_t i, const TimeStep &t)
   }
 }
 
-/// Normal velocity that lands particle i half a spacing in front of wall w.
+/// Normal velocity that lands particle i at its rest gap in front of wall w.
 template <int dim>
-double Solver<dim>::Implementation::landing(std::size_t i, std::size_t w, const TimeStep &t, double spacing) const
+double Solver<dim>::Implementation::landing(const Body &b, std::size_t i, std::size_t w, const TimeStep &t) const
 {
   const auto &wall   = parameters.walls[w];
-  double      excess = -.5 * spacing;
+  double      excess = -rest_gap(b, i, w);
   for (int a = 0; a < dim; ++a)
     excess += wall.normal[a] * (store.x[a][i] + t.drift * store.v[a][i] - wall.point[a] -
                                 wall.velocity[a] * (t.time + t.drift));
@@ -102,7 +105,7 @@ void Solver<dim>::Implementation::share_friction(const TimeStep &t)
       for (std::size_t i = b.first; i < b.last; ++i)
         if (is_slave.empty() || !is_slave[store.id[i]])
         {
-          const double push = landing(i, w, t, b.spacing), images = press[i * parameters.walls.size() + w];
+          const double push = landing(b, i, w, t), images = press[i * parameters.walls.size() + w];
           pressing += store.mass[i] * (push + std::max(images, 0.));
           net += store.mass[i] * (push + images);
         }
@@ -113,11 +116,11 @@ void Solver<dim>::Implementation::share_friction(const TimeStep &t)
 }
 
 /// Gives a particle that would pass a wall the normal velocity that lands it
-/// half a spacing in front of it: all that an oblique wall does, and next to
+/// at its rest gap in front of it: all that an oblique wall does, and next to
 /// the images of the others (images.h) what these do not stop. Coulomb friction
 /// on the slip, of the landing and of what the images press.
 template <int dim>
-void Solver<dim>::Implementation::land_on_walls(std::size_t i, const TimeStep &t, double spacing)
+void Solver<dim>::Implementation::land_on_walls(const Body &b, std::size_t i, const TimeStep &t)
 {
   for (std::size_t w = 0; w < parameters.walls.size(); ++w)
   {
@@ -128,7 +131,7 @@ void Solver<dim>::Implementation::land_on_walls(std::size_t i, const TimeStep &t
       v[a]      = store.v[a][i];
       before[a] = energy_records[i * L::energy_stride + L::v + a]; // v_{n-1/2} until the means are taken
     }
-    const double push    = landing(i, w, t, spacing);
+    const double push    = landing(b, i, w, t);
     const double pressed = push + std::max(press[i * parameters.walls.size() + w], 0.);
     if (!(pressed > 0))
       continue;
@@ -207,7 +210,7 @@ void Solver<dim>::Implementation::kick(const TimeStep &t)
       double *record = &energy_records[i * L::energy_stride];
       if (is_slave.empty() || !is_slave[store.id[i]])
       {
-        land_on_walls(i, t, b.spacing);
+        land_on_walls(b, i, t);
         stay_on_side(i, t);
       }
       for (int a = 0; a < dim; ++a)
@@ -239,9 +242,9 @@ StepStatus Solver<dim>::Implementation::drift(double dt)
 
 #define OGIVE_INSTANTIATE(d)                                                                                 \
   template void       Solver<d>::Implementation::mark_boundaries(const std::vector<BodyParticles<d>> &);     \
-  template double     Solver<d>::Implementation::landing(std::size_t, std::size_t, const TimeStep &, double) const; \
+  template double     Solver<d>::Implementation::landing(const Body &, std::size_t, std::size_t, const TimeStep &) const; \
   template void       Solver<d>::Implementation::share_friction(const TimeStep &);                           \
-  template void       Solver<d>::Implementation::land_on_walls(std::size_t, const TimeStep &, double);       \
+  template void       Solver<d>::Implementation::land_on_walls(const Body &, std::size_t, const TimeStep &); \
   template void       Solver<d>::Implementation::book_planes(double);                                        \
   template void       Solver<d>::Implementation::kick(const TimeStep &);                                     \
   template void       Solver<d>::Implementation::stay_on_side(std::size_t, const TimeStep &);                \

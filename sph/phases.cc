@@ -36,16 +36,18 @@ struct Block
   }
 };
 
-/// Increments over dt from the gradient l at the end of the step: measured at
-/// its middle, so that a rigid turn strains nothing.
+/// Increments over dt from the gradient l and the hoop rate at the end of the
+/// step: measured at its middle, so that a rigid turn strains nothing.
 template <int dim>
-void middle(const Matrix<dim> &l, double dt, std::size_t k, Block &block)
+void middle(const Matrix<dim> &l, double hoop, double dt, std::size_t k, Block &block)
 {
   const Matrix<dim> half = Matrix<dim>::Identity() - .5 * dt * l;
   const Matrix<dim> mid  = dt * (l * half.inverse());
   constexpr int     pair[3][2] = {{0, 1}, {1, 2}, {2, 0}};
   for (int a = 0; a < dim; ++a)
     block.strain[a][k] = mid(a, a);
+  if (dim == 2)
+    block.strain[2][k] = dt * hoop / (1 - .5 * dt * hoop);
   for (int c = 0; c < 3; ++c)
   {
     const auto [a, b] = pair[c];
@@ -97,11 +99,13 @@ StepStatus Solver<dim>::Implementation::advance_material(double dt)
             record[L::rate + L::sym(a, b)] = .5 * (l(a, b) + l(b, a));
         if (dt > 0)
         {
-          middle<dim>(l, dt, k, block);
-          const double rho = points.density[i];
+          const double hoop = hoop_rate(i), rho = points.density[i];
+          middle<dim>(l, hoop, dt, k, block);
+          for (int a = 0; a < dim; ++a)
+            store.half_cell[a][i] *= (2 + block.strain[a][k]) / (2 - block.strain[a][k]);
           block.density[k] = summation ? store.density_scale[i] * mass_sum(body, i) :
-                             standard  ? rho + dt * sums[L::continuity_sum] :
-                                         rho * (Matrix::Identity() - dt * l).determinant();
+                             standard  ? rho * (1 - dt * hoop) + dt * sums[L::continuity_sum] / ring(i) :
+                                         rho * (1 - dt * hoop) * (Matrix::Identity() - dt * l).determinant();
         }
       }
       if (dt > 0)
@@ -115,9 +119,9 @@ StepStatus Solver<dim>::Implementation::advance_material(double dt)
       {
         double      *record = &force_records[i * L::force_stride];
         const Mat3   sigma  = points.stress(i).matrix();
-        Matrix  p      = sigma.template topLeftCorner<dim, dim>() * corrected[i - begin];
+        Matrix  p      = ring(i) * axis_share(body, i) * sigma.template topLeftCorner<dim, dim>() * corrected[i - begin];
         if (standard)
-          p /= points.density[i] * points.density[i];
+          p /= ring(i) * ring(i) * points.density[i] * points.density[i];
         for (int a = 0; a < dim; ++a)
           for (int b = 0; b < dim; ++b)
             record[L::p + a * dim + b] = p(a, b);
@@ -153,6 +157,8 @@ void Solver<dim>::Implementation::energy(double kick)
                            &SweepFunctions::correction_power, &SweepFunctions::weak_power})
     if (is_used(power))
       add_all(power, power_sums, L::powers_stride, 3);
+  if (parameters.axisymmetric)
+    heat_hoops();
   if (parameters.options.correction == "shepard")
     share_heat();
   for (std::size_t i = 0; i < n; ++i)

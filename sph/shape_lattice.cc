@@ -48,8 +48,8 @@ double nose_volume(const Shape &shape, int dim)
   return total * shape.nose_length / (3. * n);
 }
 
-ShapeLattice box(const Shape &shape, double spacing, int dim, std::span<const input::SymmetryPlane> planes,
-                 const std::string &body)
+ShapeLattice box(const Shape &shape, double spacing, int dim, bool turned,
+                 std::span<const input::SymmetryPlane> planes, const std::string &body)
 {
   ShapeLattice out;
   Vec3         lower = shape.lower;
@@ -72,7 +72,7 @@ ShapeLattice box(const Shape &shape, double spacing, int dim, std::span<const in
       refuse(body, "the box is empty", "upper > lower, on the side x >= 0 of the symmetry planes");
     n[a]    = std::max(1, static_cast<int>(std::lround(length / spacing)));
     step[a] = length / n[a];
-    out.volume *= length;
+    out.volume *= turned && a == 0 ? std::numbers::pi * (shape.upper[a] + lower[a]) * length : length;
     cell *= step[a];
   }
   out.spacing = std::pow(cell, 1. / dim);
@@ -98,12 +98,12 @@ struct Round
   Vec3        along = Vec3::Zero(), across[2];
   double      low = 0, high = 0; ///< axial range, nose included
 
-  Round(const Shape &s, int dim_)
+  Round(const Shape &s, int dim_, bool turned)
     : shape(s)
     , dim(dim_)
   {
     const bool ball = s.kind == ShapeKind::sphere || s.kind == ShapeKind::shell;
-    axial = !ball && (dim == 3 || (s.kind == ShapeKind::cylinder && std::abs(s.axis.normalized()[2]) < .5));
+    axial = !ball && (dim == 3 || turned || (s.kind == ShapeKind::cylinder && std::abs(s.axis.normalized()[2]) < .5));
     const bool nose = axial && s.kind == ShapeKind::cylinder && s.nose != Nose::blunt;
     if (nose && s.nose == Nose::hemispherical && !(s.nose_length > 0))
       shape.nose_length = s.radius;
@@ -173,17 +173,29 @@ double clip(Round &round, int axis, const std::string &body, ShapeLattice &out)
   return .5;
 }
 
-ShapeLattice round_body(const Shape &shape, double spacing, int dim,
+/// Of the solid that a section turned about x = 0 stands for.
+double turned_volume(const Shape &shape, std::span<const input::SymmetryPlane> planes, const std::string &body)
+{
+  ShapeLattice unused;
+  Round        solid(shape, 3, true);
+  double       share = 1;
+  for (const auto &p : planes)
+    if (p.axis != 0)
+      share *= clip(solid, p.axis, body, unused);
+  return share * solid.volume();
+}
+
+ShapeLattice round_body(const Shape &shape, double spacing, int dim, bool turned,
                         std::span<const input::SymmetryPlane> planes, const std::string &body)
 {
   ShapeLattice out;
-  Round        round(shape, dim);
+  Round        round(shape, dim, turned);
   double       share = 1;
   for (const auto &p : planes)
     share *= clip(round, p.axis, body, out);
   if (!(shape.radius > shape.inner_radius) || (round.axial && !(shape.length > 0)))
     refuse(body, "the shape is empty", "radius > inner radius and length > 0");
-  out.volume = share * round.volume();
+  out.volume = turned ? turned_volume(shape, planes, body) : share * round.volume();
 
   const double body_length = round.axial ? round.shape.length - round.low : 2 * shape.radius;
   const int    n_body      = std::max(1, static_cast<int>(std::lround(body_length / spacing)));
@@ -213,17 +225,21 @@ ShapeLattice round_body(const Shape &shape, double spacing, int dim,
 }
 } // namespace
 
-ShapeLattice lattice_in(const Shape &shape, double spacing, int dim, std::span<const input::SymmetryPlane> planes,
-                        const std::string &body)
+ShapeLattice lattice_in(const Shape &shape, double spacing, int dim, bool turned,
+                        std::span<const input::SymmetryPlane> scene_planes, const std::string &body)
 {
+  std::vector<input::SymmetryPlane> planes(scene_planes.begin(), scene_planes.end());
+  if (turned)
+    planes.push_back({0});
+
   if (!(spacing > 0))
     throw InputError({"", 0, "Bodies/" + body + "/spacing"}, "missing or not positive", "a length > 0");
   if (shape.kind == ShapeKind::mesh)
     refuse(body, "particles cannot fill a mesh file", "one of the named shapes, or method fem");
   if (dim == 1 && shape.kind != ShapeKind::box)
     refuse(body, "one dimension holds boxes only", "shape box");
-  ShapeLattice out = shape.kind == ShapeKind::box ? box(shape, spacing, dim, planes, body) :
-                                                    round_body(shape, spacing, dim, planes, body);
+  ShapeLattice out = shape.kind == ShapeKind::box ? box(shape, spacing, dim, turned, planes, body) :
+                                                    round_body(shape, spacing, dim, turned, planes, body);
   if (out.points.empty())
     refuse(body, "no particle fits", "a spacing smaller than the body");
   return out;

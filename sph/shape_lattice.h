@@ -13,7 +13,7 @@ namespace ogive::sph
 struct ShapeLattice
 {
   std::vector<Vec3>   points;
-  double              volume  = 0; ///< exact, of the clipped shape: m^3, m^2 in 2-D, m in 1-D
+  double              volume  = 0; ///< exact, of the clipped shape: m^3, m^2 in 2-D, m in 1-D; of the whole ring, m^3
   double              spacing = 0; ///< (volume of a lattice cell)^(1/dim)
   std::array<bool, 3> halved{};    ///< planes that pass through the shape
 };
@@ -24,6 +24,8 @@ struct ShapeLattice
 /// plane through it lies half way between two layers.
 /// InputError for shapes that dim cannot hold, or planes that cut a round shape
 /// off its centre.
-ShapeLattice lattice_in(const input::Shape &, double spacing, int dim,
+///
+/// `turned` (dim 2): x is the radius, the points fill the half section x > 0.
+ShapeLattice lattice_in(const input::Shape &, double spacing, int dim, bool turned,
                         std::span<const input::SymmetryPlane>, const std::string &body);
 } // namespace ogive::sph

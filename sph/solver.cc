@@ -62,6 +62,15 @@ Solver<dim>::Implementation::Implementation(const Parameters &p, std::vector<Bod
   check(o);
   require(p.boundaries.size() == p.boundary_bodies.size(), "one body per boundary");
   shares        = lattice_shares<dim>(o);
+  if (p.axisymmetric)
+  {
+    require(dim == 2, "axial symmetry has two coordinates");
+    if (summation)
+      throw InputError({"", 0, "SPH/density"}, "the sum over masses is blind to the distance from the axis",
+                       "continuity in an axisymmetric scene");
+    parameters.symmetry.push_back({0}); // mirror images beyond the axis
+    axis_factor.emplace(o.kernel);
+  }
   with_viscosity<dim>(o.viscosity, [&](auto v) {
     viscous_terms  = decltype(v)::n_terms;
     viscous_stride = V::stride(decltype(v)::n_fields, o.limiter != "none");
@@ -104,6 +113,8 @@ Solver<dim>::Implementation::Implementation(const Parameters &p, std::vector<Bod
   reach.resize(variable ? n : 0);
   corrected.resize(o.correction == "shepard" ? n * dim : 0);
   velocity_gradient.resize(n * dim * dim);
+  for (auto *hoop : {&hoop_force, &hoop_viscosity, &hoop_weak})
+    hoop->resize(p.axisymmetric ? n : 0);
   wall_forces.resize(p.walls.size());
   active.resize(n);
   press.resize(n * p.walls.size());
@@ -118,6 +129,7 @@ Solver<dim>::Implementation::Implementation(const Parameters &p, std::vector<Bod
       {
         store.x[a][i] = store.x0[a][i] = filled[k].x[i - b.first][a];
         store.v[a][i]                  = filled[k].v[i - b.first][a];
+        store.half_cell[a][i]          = .5 * b.spacing;
       }
       store.mass[i] = filled[k].mass[i - b.first];
       store.id[i]   = static_cast<std::int64_t>(i);
@@ -185,21 +197,25 @@ StepLimit Solver<dim>::stable_dt() const
   const auto &s   = *self_;
   StepLimit   limit;
   std::size_t who = s.store.size();
-  for (std::size_t i = 0; i < s.store.size(); ++i)
-  {
-    const double *forces = &s.force_sums[i * L::forces_stride];
-    const double  w = s.store.points.sound_speed[i] * s.shares.frequency * s.wave_number[i];
-    const double *viscous = &s.viscous_sums[i * V::sums_stride];
-    const double  damping = (s.shares.viscosity * viscous[V::direct_rate] + s.shares.weak * viscous[V::weak_rate] +
-                            s.shares.hourglass * forces[L::hourglass_rate]) /
-                           s.store.mass[i];
-    const double dt = s.parameters.options.step_factor * largest_step(w, damping);
-    if (dt < limit.dt)
+  for (const auto &body : s.bodies)
+    for (std::size_t i = body.first; i < body.last; ++i)
     {
-      limit.dt = dt;
-      who      = i;
+      const double *forces = &s.force_sums[i * L::forces_stride];
+      const double  w = s.store.points.sound_speed[i] * s.shares.frequency * s.wave_number[i];
+      const double *viscous = &s.viscous_sums[i * V::sums_stride];
+      const double  damping = (s.shares.viscosity * viscous[V::direct_rate] + s.shares.weak * viscous[V::weak_rate] +
+                              s.shares.hourglass * forces[L::hourglass_rate]) /
+                             s.store.mass[i];
+      double dt = s.parameters.options.step_factor *
+                  largest_step(s.parameters.axisymmetric ? s.ring_frequency(body, i, w) : w, damping);
+      if (s.parameters.axisymmetric)
+        dt = std::min(dt, s.inward_step(i));
+      if (dt < limit.dt)
+      {
+        limit.dt = dt;
+        who      = i;
+      }
     }
-  }
   if (who < s.store.size())
     limit.culprit = s.culprit(who, "stiffness and viscosity of its pairs");
   return limit;
@@ -248,9 +264,14 @@ Balance Solver<dim>::balance() const
       v[a] = s.store.v[a][i];
     }
     b.mass += m;
-    b.momentum += m * v;
-    b.angular_momentum += m * x.cross(v);
     b.kinetic += .5 * m * v.squaredNorm();
+    if (s.parameters.axisymmetric) // the radial momenta of a ring cancel
+      b.momentum[1] += m * v[1];
+    else
+    {
+      b.momentum += m * v;
+      b.angular_momentum += m * x.cross(v);
+    }
   }
   for (const auto &body : s.bodies)
     for (std::size_t i = body.first; i < body.last; ++i)
@@ -258,6 +279,8 @@ Balance Solver<dim>::balance() const
                    body.material->parameters().thermal.heated_share();
   b.elastic       = internal - b.plastic_work - b.viscosity_heat - b.hourglass_sph;
   b.external_impulse = s.works.impulse;
+  if (s.parameters.axisymmetric)
+    b.external_impulse[0] = 0;
   b.external_work = s.works.external;
   b.wall_loss     = s.works.wall_loss;
   b.friction_heat = s.works.friction;
@@ -279,13 +302,14 @@ Sample Solver<dim>::sample(int body) const
     const auto &p = s.store.points;
     for (int a = 0; a < 3; ++a)
     {
-      for (auto *to : {&out.x[a], &out.x0[a], &out.v[a]})
+      for (auto *to : {&out.x[a], &out.x0[a], &out.v[a], &out.half_cell[a]})
         to->assign(b.last - b.first, 0.);
       if (a >= dim)
         continue;
       take(s.store.x[a], out.x[a]);
       take(s.store.x0[a], out.x0[a]);
       take(s.store.v[a], out.v[a]);
+      take(s.store.half_cell[a], out.half_cell[a]);
     }
     out.centre  = out.x;
     out.centre0 = out.x0;

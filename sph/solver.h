@@ -36,6 +36,7 @@ struct BodyParticles
 struct Parameters
 {
   input::SphOptions                  options;
+  bool                               axisymmetric = false; ///< dim 2: x = r, y = z, particles are rings
   std::vector<input::SymmetryPlane>  symmetry;
   std::vector<input::RigidWall>      walls;
   std::vector<input::Boundary>       boundaries; ///< fixed and velocity, by Boundary::body through `boundary_bodies`

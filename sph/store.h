@@ -22,6 +22,7 @@ struct Store
   std::array<AlignedVector<double>, dim> x_listed;   ///< when the lists were built
   std::array<AlignedVector<double>, dim> external;   ///< Surface::force, N
   std::array<AlignedVector<double>, dim> prescribed; ///< velocity of fixed components
+  std::array<AlignedVector<double>, dim> half_cell;  ///< half the distance of material layers across each axis, m
   AlignedVector<double>                  mass;
   AlignedVector<double>                  swept_density;  ///< density that the last gradient sweep used
   AlignedVector<double>                  viscosity_heat; ///< J/kg so far
@@ -51,6 +52,7 @@ struct Store
     vector("x_listed", x_listed);
     vector("external", external);
     vector("prescribed", prescribed);
+    vector("half_cell", half_cell);
     f("mass", mass);
     f("swept_density", swept_density);
     f("viscosity_heat", viscosity_heat);

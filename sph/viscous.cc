@@ -17,6 +17,8 @@ void Solver<dim>::Implementation::forces()
   for (const auto &b : bodies)
     b.sweeps.force(sweep_of(b, pairs, force_sums.data()));
   sweep_images(&SweepFunctions::force, &Images::forces);
+  if (parameters.axisymmetric)
+    add_hoop_stress();
   if (parameters.options.artificial_stress > 0)
     stress_artificially();
   sweep_viscosity();
@@ -36,6 +38,7 @@ ViscousPoint<dim> Solver<dim>::Implementation::viscous_point(const Body &b, std:
       p.divergence_gradient[a] = sensor_sums[i * SensorLayout<dim>::sums_stride + SensorLayout<dim>::slope + a];
   p.density = force_records[i * L::force_stride + L::density];
   p.sound   = store.points.sound_speed[i];
+  p.hoop    = hoop_rate(i);
   p.h       = b.h;
   return p;
 }
@@ -52,7 +55,7 @@ void Solver<dim>::Implementation::sense()
     for (int a = 0; a < dim; ++a)
       r[S::x + a] = motion[L::x + a];
     r[S::volume]     = store.mass[i] / motion[L::density];
-    r[S::divergence] = Eigen::Map<const Matrix>(&velocity_gradient[i * dim * dim]).trace();
+    r[S::divergence] = Eigen::Map<const Matrix>(&velocity_gradient[i * dim * dim]).trace() + hoop_rate(i);
   }
   for (std::size_t g = 0; g < ghosts.size(); ++g)
   {
@@ -172,6 +175,8 @@ void Solver<dim>::Implementation::sweep_viscosity()
       for (int a = 0; a < dim; ++a)
         m.forces[i * L::forces_stride + L::f_sum + a] += m.sums[i * V::sums_stride + V::direct_sum + a];
   add_images(&Images::sums, V::sums_stride, V::weak_sum, V::n_sums, viscous_sums);
+  if (parameters.axisymmetric)
+    add_hoop_viscosity();
   for (std::size_t i = 0; i < store.size(); ++i)
     for (int a = 0; a < dim; ++a)
       force_sums[i * L::forces_stride + L::f_sum + a] += viscous_sums[i * V::sums_stride + V::direct_sum + a];
@@ -182,20 +187,22 @@ void Solver<dim>::Implementation::stress_artificially()
 {
   using S             = StressLayout<dim>;
   const std::size_t n = store.size();
-  for (std::size_t i = 0; i < n; ++i)
-  {
-    const double *motion = &force_records[i * L::force_stride];
-    double       *r      = &stress_records[i * S::stride];
-    std::copy(motion, motion + dim, r + S::x);
-    r[S::volume] = store.mass[i] / motion[L::density];
-    Eigen::SelfAdjointEigenSolver<Matrix> solver;
-    solver.computeDirect(store.points.stress(i).matrix().template topLeftCorner<dim, dim>());
-    const Matrix tension = solver.eigenvectors() * solver.eigenvalues().cwiseMax(0.).asDiagonal() *
-                           solver.eigenvectors().transpose();
-    for (int a = 0; a < dim; ++a)
-      for (int c = a; c < dim; ++c)
-        r[S::r + L::sym(a, c)] = -parameters.options.artificial_stress * tension(a, c);
-  }
+  for (const auto &b : bodies)
+    for (std::size_t i = b.first; i < b.last; ++i)
+    {
+      const double *motion = &force_records[i * L::force_stride];
+      double       *r      = &stress_records[i * S::stride];
+      const double  scale  = parameters.options.artificial_stress * ring(i) * axis_share(b, i);
+      std::copy(motion, motion + dim, r + S::x);
+      r[S::volume] = store.mass[i] / motion[L::density];
+      Eigen::SelfAdjointEigenSolver<Matrix> solver;
+      solver.computeDirect(store.points.stress(i).matrix().template topLeftCorner<dim, dim>());
+      const Matrix tension = solver.eigenvectors() * solver.eigenvalues().cwiseMax(0.).asDiagonal() *
+                             solver.eigenvectors().transpose();
+      for (int a = 0; a < dim; ++a)
+        for (int c = a; c < dim; ++c)
+          r[S::r + L::sym(a, c)] = -scale * tension(a, c);
+    }
   for (std::size_t g = 0; g < ghosts.size(); ++g)
   {
     const double *from = &stress_records[ghosts.parent[g] * S::stride];

@@ -18,6 +18,9 @@ struct Sample
   std::array<std::vector<double>, 3>  x, x0, v; ///< nodes: position, initial position (m), velocity (m/s)
   std::vector<double>                 mass;     ///< nodes, kg
   std::vector<double>                 radius;   ///< nodes, m: half the spacing of a particle, 0 for a mesh node
+  /// Nodes, m: half the distance of material layers across each axis, particles
+  /// only; a particle's share of a body that is squeezed or drawn.
+  std::array<std::vector<double>, 3>  half_cell;
   std::vector<std::int64_t>           id;       ///< nodes
 
   std::array<std::vector<double>, 3>  centre, centre0; ///< points, m

@@ -38,6 +38,14 @@ protected:
   }
   static Vec3 at(const std::array<std::vector<double>, 3> &a, std::size_t i) { return {a[0][i], a[1][i], a[2][i]}; }
 
+  /// How far node i stands for its body along a unit direction, m.
+  static double half_cell(const Sample &s, std::size_t i, const Vec3 &along)
+  {
+    if (s.half_cell[0].empty())
+      return s.radius[i];
+    return at(s.half_cell, i).cwiseProduct(along).norm();
+  }
+
   /// What was nearest to the point at the start.
   std::size_t nearest_node(const Sample &s) const
   {

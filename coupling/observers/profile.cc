@@ -34,8 +34,9 @@ double WidthAt::measure(const Sample &s, double)
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (std::size_t i = 0; i < s.mass.size(); ++i)
   {
-    low  = std::min(low, along(s.x, i) - s.radius[i]);
-    high = std::max(high, along(s.x, i) + s.radius[i]);
+    const double half = half_cell(s, i, direction());
+    low  = std::min(low, along(s.x, i) - half);
+    high = std::max(high, along(s.x, i) + half);
   }
   const double                   slab  = (high - low) / 16;
   const Vec3                     first = direction().unitOrthogonal(), second = direction().cross(first);
@@ -47,7 +48,7 @@ double WidthAt::measure(const Sample &s, double)
       const double a = arm.dot(first), b = arm.dot(second);
       const double turn   = std::atan2(b, a) / (2 * std::numbers::pi) + .5;
       const auto   sector = std::min(static_cast<std::size_t>(turn * sectors), sectors - 1);
-      (z < 0 ? below : above)[sector].offer(std::hypot(a, b) + s.radius[i], z);
+      (z < 0 ? below : above)[sector].offer(std::hypot(a, b) + half_cell(s, i, (a * first + b * second).stableNormalized()), z);
     }
   double sum  = 0;
   int    seen = 0;

@@ -9,7 +9,7 @@ namespace ogive::coupling
 /// along the direction. The outline is taken in each of 32 sectors about the
 /// axis: between the outermost points in the slabs, a sixteenth of the length
 /// thick, below and above the height, interpolated to it; particles count with
-/// half their spacing. Mean over the sectors that hold points.
+/// half of their cell. Mean over the sectors that hold points.
 class WidthAt : public BodyObserver
 {
 public:

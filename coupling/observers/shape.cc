@@ -28,9 +28,9 @@ double Length::measure(const Sample &s, double)
   Extent e;
   for (std::size_t i = 0; i < s.mass.size(); ++i)
   {
-    const double x = along(s.x, i);
-    e.low          = std::min(e.low, x - s.radius[i]);
-    e.high         = std::max(e.high, x + s.radius[i]);
+    const double x = along(s.x, i), half = half_cell(s, i, direction());
+    e.low          = std::min(e.low, x - half);
+    e.high         = std::max(e.high, x + half);
   }
   return e.length();
 }
@@ -59,7 +59,7 @@ double FootRadius::measure(const Sample &s, double)
       const double a      = arm.dot(first), b = arm.dot(second);
       const double turn   = std::atan2(b, a) / (2 * std::numbers::pi) + .5;
       const auto   sector = std::min(static_cast<std::size_t>(turn * sectors), sectors - 1);
-      reach[sector]       = std::max(reach[sector], std::hypot(a, b) + s.radius[i]);
+      reach[sector]       = std::max(reach[sector], std::hypot(a, b) + half_cell(s, i, (a * first + b * second).stableNormalized()));
     }
   const auto   seen = std::count_if(reach.begin(), reach.end(), [](double r) { return r > 0; });
   return std::accumulate(reach.begin(), reach.end(), 0.) / static_cast<double>(seen);

@@ -5,7 +5,7 @@
 
 namespace ogive::coupling
 {
-/// Extent along the direction; particles count with half their spacing.
+/// Extent along the direction; particles count with the half of their cell.
 class Length : public BodyObserver
 {
 public:

@@ -67,7 +67,7 @@ double ducros(const ViscousPoint<dim> &p)
 {
   const double d        = p.divergence();
   const auto   rate     = (.5 * (p.gradient + p.gradient.transpose())).eval();
-  const double deviator = rate.squaredNorm() - d * d / 3; // e:e, the missing axes at rest
+  const double deviator = rate.squaredNorm() + p.hoop * p.hoop - d * d / 3; // e:e, missing axes at rest
   const double w        = .5 * curl<dim>(p.gradient);
   return d * d / (d * d + std::max(0., deviator - 2. / 3 * d * d) + 2 * w * w);
 }

@@ -47,9 +47,10 @@ struct ViscousPoint
 
   Matrix gradient = Matrix::Zero();            ///< of the velocity, corrected where the form is, 1/s
   Vector divergence_gradient = Vector::Zero(); ///< of its trace, 1/(m s)
+  double hoop = 0; ///< v_r/r where the body turns about an axis, 1/s
   double density = 0, sound = 0, h = 0;
 
-  double divergence() const { return gradient.trace(); }
+  double divergence() const { return gradient.trace() + hoop; }
 };
 
 /// Bound of -dPi/d(v_ij.x_ij) of the linear and quadratic pair viscosities,
