@@ -69,6 +69,8 @@ double Solver<dim>::Implementation::gap(std::size_t w, double x, double at) cons
 template <int dim>
 double Solver<dim>::Implementation::rest_gap(const Body &b, std::size_t i, std::size_t w) const
 {
+  if (!parameters.axisymmetric)
+    return .5 * b.spacing;
   double height2 = 0;
   for (int a = 0; a < dim; ++a)
     height2 += std::pow(store.half_cell[a][i] * parameters.walls[w].normal[a], 2);

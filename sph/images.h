@@ -22,7 +22,7 @@ struct Pairs
 /// They act in pairs i-image(j) of which both i and j stand where every wall of
 /// the set is touched: within one spacing along the wall of a touching particle
 /// (cells of one spacing and their neighbours). A particle touches once it
-/// arrives at its rest gap (half the height of its cell) and is not receding; it lets go
+/// arrives at its rest gap (rest_gap()) and is not receding; it lets go
 /// when it recedes beyond that gap and its normal stress is a pull. So a wall
 /// presses and does not pull, but where only part of a neighbourhood has let
 /// go. No particle comes closer than the rest gap (land_on_walls): without
