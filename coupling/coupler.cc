@@ -39,6 +39,7 @@ Coupler<dim>::Coupler(const input::Scene &scene, std::unique_ptr<MeshPort<dim>> 
                       std::unique_ptr<ParticlePort<dim>> particles)
   : mesh_(std::move(mesh))
   , particles_(std::move(particles))
+  , axisymmetric_(scene.dimension == input::Dimension::axisymmetric)
 {
   build_interfaces(scene);
   build_contacts(scene);
@@ -174,6 +175,8 @@ CouplingBalance Coupler<dim>::balance() const
   balance.work_on_particles = contact.work[particle_party];
   balance.contact_impulse   = contacts_->impulse();
   balance.plane_impulse.head<dim>() = contacts_->plane_impulse();
+  if (axisymmetric_) // the radial momenta of a ring cancel
+    balance.plane_impulse[0] = 0;
   for (const auto &interface : interfaces_)
   {
     balance.interface_work += interface->energy().residue();

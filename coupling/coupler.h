@@ -82,6 +82,7 @@ private:
 
   std::unique_ptr<MeshPort<dim>>               mesh_;
   std::unique_ptr<ParticlePort<dim>>           particles_;
+  bool                                         axisymmetric_ = false;
   std::vector<std::string>                     interface_names_;
   std::vector<std::unique_ptr<Interface<dim>>> interfaces_;
   Slaves<dim>                                  slaves_;

@@ -99,6 +99,16 @@ TEST(BerylliumSphere, Section)
   EXPECT_LT(error(s, "roundness"), .01);
 }
 
+TEST(BerylliumSphere, SectionOfParticles)
+{
+  const auto s = run_scene("beryllium-sphere/axisymmetric.prm",
+                           {"Bodies/sphere/method=sph", "Bodies/sphere/spacing=2 mm", "SPH/h over dx=1.8"});
+  EXPECT_LT(error(s, "stopping_radius"), .02);
+  EXPECT_LT(error(s, "stopping_time"), .02);
+  EXPECT_LT(error(s, "roundness"), .03);
+  EXPECT_LT(check(s, "energy_drift"), 1e-11);
+}
+
 TEST(BerylliumSphere, Particles)
 {
   const auto s = run_scene("beryllium-sphere/scene.prm", {"Bodies/sphere/spacing=5 mm"});

@@ -56,6 +56,23 @@ Slide slide(Method slab, Method block, double friction, double spacing, double t
   return run<dim>(scene, time);
 }
 
+/// Rings in contact: a disc falls on a larger one. Axial momentum is that of the
+/// whole, radial momentum none.
+TEST(Rings, DiscOnDiscKeepsItsBooks)
+{
+  for (const Method low : {Method::sph, Method::fem})
+    for (const Method high : {Method::sph, Method::fem})
+    {
+      auto scene = scenes::steel_scene(input::Dimension::axisymmetric);
+      scenes::add_box(scene, "low", low, Vec3::Zero(), Vec3(8e-3, 5e-3, 0), .5e-3, Vec3::Zero());
+      scenes::add_box(scene, "high", high, Vec3(0, 5.2e-3, 0), Vec3(4e-3, 9.2e-3, 0), .5e-3, Vec3(0, -60, 0));
+      scene.contacts.push_back({"touch", "low", "high", .2, .1});
+      const Slide s = run<2>(scene, 12e-6);
+      EXPECT_LT(s.momentum, 1e-12);
+      EXPECT_LT(s.drift, 2e-3);
+    }
+}
+
 /// A slab of 40 x 8 mm and a block of 8 x 6 mm with its lower left corner at
 /// (x, y) mm; neither slides far, so the books have little to hide in.
 Slide meet(Method slab, Method block, double x, double y, const Vec3 &velocity, double spin, double friction)
