@@ -45,6 +45,7 @@ void for_each_column(Row &row, F &&f)
   f("external_impulse_x [N s]", row.external_impulse[0]);
   f("external_impulse_y [N s]", row.external_impulse[1]);
   f("external_impulse_z [N s]", row.external_impulse[2]);
+  f("gradient_fallbacks [1]", row.gradient_fallbacks);
 }
 
 double books(const Balance &b, double work_of_coupling)
@@ -102,6 +103,7 @@ LedgerRow ledger_row(const Balance &fem, const Balance &sph, const CouplingBalan
   row.momentum         = sum.momentum;
   row.angular_momentum = sum.angular_momentum;
   row.external_impulse = sum.external_impulse + coupling.plane_impulse;
+  row.gradient_fallbacks = sum.gradient_fallbacks;
   row.mesh_books       = books(fem, coupling.work_on_mesh);
   row.particle_books   = books(sph, coupling.work_on_particles);
   return row;
@@ -116,7 +118,8 @@ void Ledger::enter(LedgerRow &row)
   row.drift = reference_ > 0 ? (kept(row) - kept(first_)) / reference_ : kept(row) - kept(first_);
   if (!(std::abs(row.drift) <= std::abs(worst_)))
     worst_ = row.drift;
-  last_ = row;
+  most_fallbacks_ = std::max(most_fallbacks_, row.gradient_fallbacks);
+  last_           = row;
 }
 
 std::string Ledger::fault(double limit) const
@@ -151,7 +154,7 @@ std::string Ledger::fault(double limit) const
 
 void Ledger::save(ArchiveWriter &archive, const std::string &prefix) const
 {
-  std::vector<double> numbers{begun_ ? 1. : 0., reference_, worst_};
+  std::vector<double> numbers{begun_ ? 1. : 0., reference_, worst_, most_fallbacks_};
   for (const LedgerRow *row : {&first_, &last_})
   {
     const auto values = row->values();
@@ -165,12 +168,13 @@ void Ledger::load(const ArchiveReader &archive, const std::string &prefix)
 {
   const auto numbers = archive.doubles(prefix + "/ledger");
   const auto width   = LedgerRow::columns().size() + 2;
-  if (numbers.size() != 3 + 2 * width)
+  if (numbers.size() != 4 + 2 * width)
     throw InputError("the checkpoint's ledger has other columns than this version");
   begun_           = numbers[0] != 0;
   reference_       = numbers[1];
   worst_           = numbers[2];
-  std::size_t next = 3;
+  most_fallbacks_  = numbers[3];
+  std::size_t next = 4;
   for (LedgerRow *row : {&first_, &last_})
   {
     for_each_column(*row, [&](const char *, double &value) { value = numbers[next++]; });

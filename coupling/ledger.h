@@ -36,6 +36,8 @@ struct LedgerRow
   Vec3   angular_momentum = Vec3::Zero(); ///< about the origin
   Vec3   external_impulse = Vec3::Zero(); ///< given by walls, boundaries and symmetry planes
 
+  double gradient_fallbacks = 0; ///< particles without corrected gradient in the step before
+
   /// Each party's energy less what external and coupling forces gave it: stays
   /// as it was at the start if that solver keeps its books.
   double mesh_books = 0, particle_books = 0;
@@ -65,6 +67,7 @@ public:
   void   enter(LedgerRow &row);
   double drift() const { return last_.drift; }
   double worst_drift() const { return worst_; }
+  double most_fallbacks() const { return most_fallbacks_; } ///< of any row
   double reference() const { return reference_; } ///< the energy that drift is measured against, J
 
   const LedgerRow &first() const { return first_; }
@@ -80,6 +83,6 @@ public:
 private:
   bool      begun_ = false;
   LedgerRow first_, last_;
-  double    reference_ = 0, worst_ = 0;
+  double    reference_ = 0, worst_ = 0, most_fallbacks_ = 0;
 };
 } // namespace ogive::coupling

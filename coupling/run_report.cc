@@ -123,6 +123,7 @@ io::Summary::Checks RunReport::checks() const
   checks.mass_drift         = (last.mass - first.mass) / first.mass;
   checks.energy_drift       = books_.drift();
   checks.hourglass_fraction = last.internal() > 0 ? (last.hourglass_fem + last.hourglass_sph) / last.internal() : 0.;
+  checks.gradient_fallbacks = books_.most_fallbacks();
 
   // measured against the momentum that the greatest energy of the run could carry
   const double scale    = std::sqrt(2 * first.mass * books_.reference());

@@ -284,6 +284,7 @@ Balance Solver<dim>::balance() const
   b.external_work = s.works.external;
   b.wall_loss     = s.works.wall_loss;
   b.friction_heat = s.works.friction;
+  b.gradient_fallbacks = static_cast<double>(s.diagnostics.fallbacks);
   return b;
 }
 

@@ -33,6 +33,7 @@ struct Balance
   double friction_heat       = 0; ///< slip on rigid walls
   double absorbed            = 0; ///< left through absorbing boundaries
   double thermal             = 0; ///< memo: share of plastic_work that became heat (Taylor-Quinney)
+  double gradient_fallbacks  = 0; ///< memo: particles whose gradient was not corrected in the last step
 
   double internal() const
   {
@@ -58,6 +59,7 @@ struct Balance
     friction_heat += b.friction_heat;
     absorbed += b.absorbed;
     thermal += b.thermal;
+    gradient_fallbacks += b.gradient_fallbacks;
     return *this;
   }
 };

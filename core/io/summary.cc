@@ -42,7 +42,8 @@ Json to_json(const Summary::Checks &c)
           {"momentum_drift", number(c.momentum_drift)},
           {"angular_momentum_drift", number(c.angular_momentum_drift)},
           {"energy_drift", number(c.energy_drift)},
-          {"hourglass_fraction", number(c.hourglass_fraction)}};
+          {"hourglass_fraction", number(c.hourglass_fraction)},
+          {"gradient_fallbacks", number(c.gradient_fallbacks)}};
 }
 
 Json to_json(const std::optional<Summary::Limiter> &l)

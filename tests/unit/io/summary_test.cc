@@ -52,6 +52,7 @@ TEST_F(SummaryFile, HasTheEntriesThatScriptsRelyOn)
   EXPECT_EQ(all["limiter"]["body"], "bar");
   EXPECT_EQ(all["checks"]["mass_drift"], 1e-17);
   EXPECT_TRUE(all["checks"].contains("hourglass_fraction"));
+  EXPECT_TRUE(all["checks"].contains("gradient_fallbacks"));
 }
 
 TEST_F(SummaryFile, ComparesWithTheReference)

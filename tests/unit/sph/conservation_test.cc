@@ -196,4 +196,18 @@ TEST(Failure, NanIsCaught)
   solver.surface().force[0][3] = std::nan("");
   EXPECT_FALSE(run.step(1e-8).ok);
 }
+
+/// Particles on a line in a plane have no gradient across it.
+TEST(Fallbacks, AreCounted)
+{
+  auto p = box<2>(Vec3::Zero(), spacing * Vec3(6, 6, 0), spacing, copper());
+  EXPECT_EQ(Solver<2>(Parameters(), {p}).balance().gradient_fallbacks, 0);
+  for (int k = 0; k < 3; ++k)
+  {
+    p.x.push_back({(20 + k) * spacing, 0.});
+    p.v.push_back({0., 0.});
+    p.mass.push_back(p.mass[0]);
+  }
+  EXPECT_EQ(Solver<2>(Parameters(), {p}).balance().gradient_fallbacks, 3);
+}
 } // namespace
