@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
+#include <random>
 
 namespace ogive::sph
 {
@@ -14,12 +15,17 @@ template <int dim>
 BodyParticles<dim> fill(const input::Body &body, const input::Scene &scene, int body_index,
                         std::shared_ptr<const materials::Material> material)
 {
-  const ShapeLattice lattice = lattice_in(body.shape, body.spacing, dim, scene.symmetry, body.name);
+  ShapeLattice       lattice = lattice_in(body.shape, body.spacing, dim, scene.symmetry, body.name);
   BodyParticles<dim> out;
-  out.body     = body_index;
-  out.spacing  = lattice.spacing;
-  out.shape    = body.shape;
+  out.body    = body_index;
+  out.spacing = lattice.spacing;
+  out.shape   = body.shape;
   out.mass.assign(lattice.points.size(), material->density() * lattice.volume / lattice.points.size());
+
+  std::mt19937 random; // its sequence is in the standard, unlike that of the distributions
+  for (auto &x : lattice.points)
+    for (int a = 0; a < dim && body.jitter > 0; ++a)
+      x[a] += body.jitter * out.spacing * (random() * 0x1p-31 - 1);
 
   Vec3 centre = Vec3::Zero();
   for (const auto &x : lattice.points)
