@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
+#include <random>
 
 namespace ogive::sph
 {
@@ -15,7 +16,7 @@ BodyParticles<dim> fill(const input::Body &body, const input::Scene &scene, int 
                         std::shared_ptr<const materials::Material> material)
 {
   const bool         turned  = scene.dimension == input::Dimension::axisymmetric;
-  const ShapeLattice lattice = lattice_in(body.shape, body.spacing, dim, turned, scene.symmetry, body.name);
+  ShapeLattice       lattice = lattice_in(body.shape, body.spacing, dim, turned, scene.symmetry, body.name);
   BodyParticles<dim> out;
   out.body     = body_index;
   out.spacing  = lattice.spacing;
@@ -25,6 +26,11 @@ BodyParticles<dim> fill(const input::Body &body, const input::Scene &scene, int 
     shares += turned ? x[0] : 1.;
   for (const auto &x : lattice.points)
     out.mass.push_back(material->density() * lattice.volume * (turned ? x[0] : 1.) / shares);
+
+  std::mt19937 random; // its sequence is in the standard, unlike that of the distributions
+  for (auto &x : lattice.points)
+    for (int a = 0; a < dim && body.jitter > 0; ++a)
+      x[a] += body.jitter * out.spacing * (random() * 0x1p-31 - 1);
 
   Vec3 centre = Vec3::Zero();
   for (const auto &x : lattice.points)

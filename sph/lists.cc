@@ -240,6 +240,7 @@ Sweep Solver<dim>::Implementation::sweep_of(const Body &b, Pairs &p, double *sum
   s.n_entries          = p.rows.index.size();
   s.spacing            = b.spacing;
   s.keep_weak          = correction ? 0 : 1;
+  s.compressed_only    = parameters.options.viscosity_switch != "divergence-gradient";
   s.h                  = b.h;
   s.alpha              = o.alpha;
   s.beta               = o.beta;

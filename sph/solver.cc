@@ -47,18 +47,24 @@ void check(const input::SphOptions &o)
   if (!(o.correction_support > 0 && o.correction_support <= 4))
     throw InputError({"", 0, "SPH/correction support"}, "out of range", "a number > 0 and <= 4");
 }
+
+Parameters settled(Parameters p)
+{
+  p.options = p.options.settled();
+  return p;
+}
 } // namespace
 
 template <int dim>
 Solver<dim>::Implementation::Implementation(const Parameters &p, std::vector<BodyParticles<dim>> filled)
-  : parameters(p)
-  , standard(p.options.form == "standard")
-  , correction(p.options.correction != "none")
-  , summation(p.options.density == "summation")
-  , variable(correction && p.options.support_rule != "fixed")
-  , sensed(p.options.shock_split == "sharp" || p.options.shock_split == "curvature" || p.options.viscosity_switch == "divergence-gradient")
+  : parameters(settled(p))
+  , standard(parameters.options.form == "standard")
+  , correction(parameters.options.correction != "none")
+  , summation(parameters.options.density == "summation")
+  , variable(correction && parameters.options.support_rule != "fixed")
+  , sensed(parameters.options.shock_split == "sharp" || parameters.options.shock_split == "curvature" || parameters.options.viscosity_switch == "divergence-gradient")
 {
-  const auto &o = p.options;
+  const auto &o = parameters.options;
   check(o);
   require(p.boundaries.size() == p.boundary_bodies.size(), "one body per boundary");
   shares        = lattice_shares<dim>(o);

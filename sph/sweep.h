@@ -123,6 +123,7 @@ struct Sweep
   double h = 0, spacing = 0, alpha = 0, beta = 0, hourglass = 0;
   double support   = 1; ///< h_c/h of the correction
   double keep_weak = 1; ///< 1: weak viscosity acts as it is, 0: it is corrected
+  bool   compressed_only = false; ///< sensor sums of particles that expand are asked for by nobody
 };
 
 /// Sweeps for one choice of methods; null where the choice does not need one.

@@ -101,7 +101,7 @@ double Solver<dim>::Implementation::shock_share(const Body &b, std::size_t i, co
   const auto &o = parameters.options;
   if (o.shock_split == "compression")
     return compression_sensor(p, o.split_compression);
-  if (o.shock_split == "none")
+  if (o.shock_split == "none" || !(p.divergence() < 0))
     return 0;
   const double *sums = &sensor_sums[i * S::sums_stride];
   Unevenness    u{sums[S::jump], sums[S::size], shares.weight / std::pow(b.spacing, dim),

@@ -84,6 +84,11 @@ void body_fields(Fields &f, Body &b, Dimension dimension)
               Need::optional,
               {"method", {"fem"}}},
              b.spacing_far, units::length, bounds::not_negative);
+  f.number({"jitter", "particles stand off their lattice by up to this share of the spacing along each axis, the same "
+                      "ones in every run",
+            Need::optional,
+            {"method", {"sph"}}},
+           b.jitter, Bound{0, .4});
   f.vector({"velocity", "initial velocity"}, b.velocity, units::velocity);
   if (dimension == Dimension::plane_strain)
     f.quantity({"spin", "initial spin about the centre of mass, about z"}, b.spin.z(), units::rate);

@@ -16,8 +16,8 @@ void sph_fields(Fields &f, SphOptions &o)
   f.number({"alpha", "linear coefficient of the viscosity"}, o.alpha, bounds::not_negative);
   f.number({"beta", "quadratic coefficient of the viscosity"}, o.beta, bounds::not_negative);
   f.choice({"limiter", "weak viscosity sees the jump that is left of a pair's velocity difference once both ends' "
-                       "linear fields are continued to its middle"},
-           o.limiter, {"none", "linear"});
+                       "linear fields are continued to its middle; auto: linear where shock split is sharp or curvature"},
+           o.limiter, {"auto", "none", "linear"});
   f.choice({"switch", "factor on the viscosity of each particle"}, o.viscosity_switch,
            {"none", "balsara", "cullen-dehnen", "divergence-gradient"});
   f.choice({"correction", "acceleration correction of the weak viscosity"}, o.correction,
@@ -27,8 +27,9 @@ void sph_fields(Fields &f, SphOptions &o)
            o.correction_support, Bound{0, 2, true});
   f.choice({"support rule", "how the support of the correction is chosen"}, o.support_rule,
            {"fixed", "total-variation", "minimal-dissipation", "monotonicity"});
-  f.choice({"shock split", "sensor of the viscosity that captures shocks; the rest is weak viscosity"}, o.shock_split,
-           {"none", "compression", "sharp", "curvature"});
+  f.choice({"shock split", "sensor of the viscosity that captures shocks; the rest is weak viscosity; auto: curvature "
+                           "where there is a correction"},
+           o.shock_split, {"auto", "none", "compression", "sharp", "curvature"});
   f.number({"split compression", "h |div v|/c at which shock split = compression leaves all viscosity"},
            o.split_compression, bounds::positive);
   f.number({"split ratio", "unevenness of div v among neighbours at which shock split = sharp or curvature leaves half"},

@@ -68,6 +68,9 @@ struct Body
   /// fem: element edge at the outer radius of a disc or ring, or far end of the
   /// grading; 0: as `spacing`.
   double spacing_far = 0;
+  /// sph: particles stand off their lattice by up to this share of the spacing
+  /// along each axis, the same ones in every run.
+  double jitter      = 0;
   Vec3   velocity    = Vec3::Zero(); ///< m/s
   Vec3   spin        = Vec3::Zero(); ///< rad/s about the centre of mass
   /// Initial velocity field beyond translation and spin; empty for none:
@@ -167,12 +170,12 @@ struct SphOptions
   std::string density    = "continuity"; ///< "continuity", "summation"
   std::string viscosity  = "monaghan";  ///< "monaghan", "hernquist-katz", "owen"
   double      alpha      = 1, beta = 2;
-  std::string limiter    = "none";      ///< "none", "linear": weak viscosity sees the reconstructed jump
+  std::string limiter    = "auto";      ///< "none", "linear": weak viscosity sees the reconstructed jump; see settled
   std::string viscosity_switch = "none"; ///< "none", "balsara", "cullen-dehnen", "divergence-gradient"
   std::string correction = "pairwise";  ///< "none", "pairwise", "shepard"
   double      correction_support = 1;   ///< s = h_c/h; the greatest one of rules that choose
   std::string support_rule = "fixed";   ///< "fixed", "total-variation", "minimal-dissipation", "monotonicity"
-  std::string shock_split = "none";     ///< "none", "compression", "sharp", "curvature"
+  std::string shock_split = "auto";     ///< "none", "compression", "sharp", "curvature"; see settled
   double      split_compression = .02;  ///< M0: h |div v|/c at which all viscosity stays
   double      split_bend  = .06;        ///< the same for its curvature, over the cube of that offset
   double      split_ratio = .2;         ///< R0 over the mean neighbour offset of the lattice
@@ -180,6 +183,19 @@ struct SphOptions
   double      artificial_stress = 0;    ///< epsilon of Gray, Monaghan and Swift
   double      hourglass  = .2;          ///< coefficient z of numerics.md section 2
   double      step_factor = .7;         ///< share of the stability bound
+
+  /// With what "auto" stands for. A correction takes the viscosity of shocks too,
+  /// so it goes with a split; what a split leaves is weak by a limiter. Plain
+  /// viscosity needs neither.
+  SphOptions settled() const
+  {
+    SphOptions o = *this;
+    if (o.shock_split == "auto")
+      o.shock_split = o.correction == "none" ? "none" : "curvature";
+    if (o.limiter == "auto")
+      o.limiter = o.shock_split == "sharp" || o.shock_split == "curvature" ? "linear" : "none";
+    return o;
+  }
 };
 
 struct FemOptions

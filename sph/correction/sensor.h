@@ -12,7 +12,7 @@ namespace ogive::sph
 {
 /// Sums over the neighbours of D = div v: sum W |D_i - D_j|, sum W (|D_i| +
 /// |D_j|), sum W (D_j - D_i), sum V_j (D_j - D_i) gradW, sum W (x_j - x_i).
-/// Without self.
+/// Without self. Zeros where `compressed_only` says that nobody asks.
 template <int dim, class Kernel>
 [[gnu::flatten]] void sensor_sweep(const Sweep &s)
 {
@@ -24,7 +24,8 @@ template <int dim, class Kernel>
     VDouble       sum[L::sums_stride];
     for (auto &a : sum)
       a = 0.;
-    for (std::size_t p = s.row[i]; p < s.row[i + 1]; p += simd_width)
+    const bool asked = !s.compressed_only || own[L::divergence] < 0;
+    for (std::size_t p = s.row[i]; asked && p < s.row[i + 1]; p += simd_width)
     {
       VDouble j[padded(L::n_fields)], dx[dim], r2 = 0.;
       load_records<L::n_fields>(s.sensor_records, L::stride, s.index + p, j);
@@ -69,7 +70,8 @@ double ducros(const ViscousPoint<dim> &p)
   const auto   rate     = (.5 * (p.gradient + p.gradient.transpose())).eval();
   const double deviator = rate.squaredNorm() + p.hoop * p.hoop - d * d / 3; // e:e, missing axes at rest
   const double w        = .5 * curl<dim>(p.gradient);
-  return d * d / (d * d + std::max(0., deviator - 2. / 3 * d * d) + 2 * w * w);
+  const double all      = d * d + std::max(0., deviator - 2. / 3 * d * d) + 2 * w * w;
+  return all > 0 ? d * d / all : 0; // squares of what runs ahead of a front underflow
 }
 
 /// Sharper ones: where it is compressed, F S/(1 + S), S = (R/R0)^8, with the
@@ -92,6 +94,8 @@ double uneven_sensor(const ViscousPoint<dim> &p, const Unevenness &u)
     return 0;
   const auto   power4 = [](double x) { return x * x * x * x; };
   const double size   = u.size + 1e-6 * p.sound / p.h * u.weights;
+  if (!(size > 0)) // alone, and without sound
+    return 0;
   const double s      = power4(u.jump / size / u.r0) * power4(u.jump / size / u.r0);
   double       share  = ducros(p) * s / (1 + s);
   if (u.r_bend > 0)

@@ -74,6 +74,23 @@ TEST(GoodScenes, GiveTheNumbersOfTheText)
   EXPECT_EQ(s.output.history_interval, 1e-6);
 }
 
+// "auto" stands for the split and the limiter that go with the correction.
+TEST(GoodScenes, ViscosityGoesTogether)
+{
+  const std::string file  = write_file("scene.prm", base_scene);
+  const auto        split = [&](const std::vector<std::string> &settings) {
+    const SphOptions o = read_scene(file, settings).sph.settled();
+    return o.correction + " " + o.shock_split + " " + o.limiter;
+  };
+  EXPECT_EQ(split({}), "pairwise curvature linear");
+  EXPECT_EQ(split({"SPH/correction=none"}), "none none none");
+  EXPECT_EQ(split({"SPH/shock split=none"}), "pairwise none none");
+  EXPECT_EQ(split({"SPH/shock split=sharp"}), "pairwise sharp linear");
+  EXPECT_EQ(split({"SPH/shock split=compression"}), "pairwise compression none");
+  EXPECT_EQ(split({"SPH/limiter=none"}), "pairwise curvature none");
+  EXPECT_EQ(split({"SPH/correction=none", "SPH/limiter=linear"}), "none none linear");
+}
+
 TEST(GoodScenes, AreNamedAfterTheirFolderOrFile)
 {
   const std::string file = write_file("scene.prm", base_scene);

@@ -35,7 +35,9 @@ const std::vector<Method> &methods()
 {
   using O = input::SphOptions;
   static const std::vector<Method> all{
+    {"the default", [](O &o) { o = {}; }},
     {"monaghan", [](O &o) { o.correction = "none"; }},
+    {"pairwise", [](O &) {}},
     {"hernquist-katz", [](O &o) { o.viscosity = "hernquist-katz"; }},
     {"owen", [](O &o) { o.viscosity = "owen"; }},
     {"owen plain", [](O &o) { o.viscosity = "owen", o.correction = "none"; }},
@@ -52,6 +54,9 @@ const std::vector<Method> &methods()
     {"compression split", [](O &o) { o.shock_split = "compression"; }},
     {"sharp split", [](O &o) { o.shock_split = "sharp", o.limiter = "linear"; }},
     {"sharp split owen", [](O &o) { o.shock_split = "sharp", o.limiter = "linear", o.viscosity = "owen"; }},
+    {"curvature split hernquist-katz", [](O &o) { o = {}, o.viscosity = "hernquist-katz"; }},
+    {"curvature split owen", [](O &o) { o = {}, o.viscosity = "owen"; }},
+    {"curvature split, variable", [](O &o) { o = {}, o.support_rule = "monotonicity", o.correction_support = 1.5; }},
     {"shepard, working", [](O &o) { o.correction = "shepard", o.energy_form = "working"; }, true, false, false},
     {"shepard, averaged", [](O &o) { o.correction = "shepard", o.energy_form = "averaged"; }, false, false, true},
     {"shepard, variable, working",
@@ -69,6 +74,7 @@ template <int dim>
 Parameters parameters(const Method &m)
 {
   Parameters p;
+  p.options.shock_split = p.options.limiter = "none"; // unless the method asks for them
   m.set(p.options);
   return p;
 }

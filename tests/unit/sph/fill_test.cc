@@ -50,6 +50,32 @@ TEST(Fill, BoxIsFilledExactly)
   EXPECT_NEAR(least, .5e-3, 1e-15); // the plane lies half way between two layers
 }
 
+TEST(Fill, JitterMovesParticlesByAShareOfTheSpacing)
+{
+  input::Scene scene;
+  input::Body  body;
+  body.shape.upper = Vec3(.03, .02, 0);
+  body.spacing     = 1e-3;
+  const auto even  = fill<2>(body, scene, 0, material(rho, 160e9, 80e9));
+  body.jitter      = .2;
+  const auto moved = fill<2>(body, scene, 0, material(rho, 160e9, 80e9));
+  EXPECT_EQ(moved.x, fill<2>(body, scene, 0, material(rho, 160e9, 80e9)).x);
+  EXPECT_EQ(moved.mass, even.mass);
+  double furthest = 0, mean = 0, square = 0;
+  for (std::size_t i = 0; i < even.x.size(); ++i)
+    for (int a = 0; a < 2; ++a)
+    {
+      const double d = moved.x[i][a] - even.x[i][a];
+      furthest = std::max(furthest, std::abs(d));
+      mean += d / (2 * even.x.size());
+      square += d * d / (2 * even.x.size());
+    }
+  EXPECT_LE(furthest, .2e-3);
+  // 1200 values, even from -.2 to .2 mm: root mean square .2/sqrt 3, three standard errors
+  EXPECT_NEAR(mean, 0, 3 * .2e-3 / std::sqrt(3. * 1200));
+  EXPECT_NEAR(std::sqrt(square), .2e-3 / std::sqrt(3.), .05 * .2e-3);
+}
+
 TEST(Fill, RoundBodiesHaveTheirExactMass)
 {
   const double pi = M_PI, r = .0071, l = .0163;

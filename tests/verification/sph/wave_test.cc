@@ -12,11 +12,12 @@ using namespace ogive::sph;
 using namespace ogive::sph::test;
 
 /// Share of the mechanical energy that heats in one period (= one wavelength of
-/// travel) of a standing wave between mirrors.
+/// travel) of a standing wave between a mirror and a free end, where it has its
+/// nodes and its greatest speed.
 double loss(const char *correction)
 {
   const double dx = 1.1e-3, amplitude = .5; // m/s
-  auto         p  = box<1>(Vec3::Zero(), Vec3(64 * dx, 0, 0), dx, copper());
+  auto         p  = box<1>(Vec3::Zero(), Vec3(72 * dx, 0, 0), dx, copper());
   const double k = 2 * M_PI / (32 * dx), c = p.material->sound_speed();
   for (std::size_t i = 0; i < p.x.size(); ++i)
     p.v[i][0] = amplitude * std::sin(k * p.x[i][0]);
