@@ -71,6 +71,8 @@ bool wanted(const Study &s, const Row &row)
     if (row.levels[a] >= 0)
     {
       const Level &level = s.axes[a].levels[static_cast<std::size_t>(row.levels[a])];
+      if (s.cases[row.of_case].find_axis(s.axes[a].name)->why_not(level.name))
+        return false;
       if (!holds(level.only_with, level_of, true))
         return false;
       if (!level.except_with.alternatives.empty() && holds(level.except_with, level_of, false))
@@ -136,7 +138,8 @@ void expand_case(const Study &s, std::size_t index, Matrix &matrix)
   } while (advance(at, choices));
   if (matrix.rows.size() == before)
     throw InputError({s.file, 0, "Cases/" + s.cases[index].name},
-                     "every variant of the case is left out by \"only with\" or \"except with\"", "at least one variant");
+                     "every variant of the case is left out by \"only with\", \"except with\" or \"does not apply\"",
+                     "at least one variant");
 }
 } // namespace
 

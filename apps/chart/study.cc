@@ -11,6 +11,12 @@ bool Judged::bounded() const
   return !std::isnan(at_least) || !std::isnan(at_most) || !std::isnan(error_at_most);
 }
 
+const std::string *CaseAxis::why_not(const std::string &level) const
+{
+  const auto it = without_meaning.find(level);
+  return it == without_meaning.end() || it->second.empty() ? nullptr : &it->second;
+}
+
 const CaseAxis *Case::find_axis(const std::string &wanted) const
 {
   const auto it = std::find_if(axes.begin(), axes.end(), [&](const CaseAxis &a) { return a.axis == wanted; });

@@ -65,6 +65,10 @@ struct CaseAxis
   std::vector<std::string>            levels;    ///< empty: all
   OverrideList                        overrides; ///< instead of the axis' own
   std::map<std::string, OverrideList> at;        ///< instead of the level's own
+  std::map<std::string, std::string>  without_meaning; ///< why a level does not apply; empty: it does
+
+  /// Null where the level applies.
+  const std::string *why_not(const std::string &level) const;
 };
 
 /// A number of the summary: a quantity of an observer, or one of its checks.
@@ -81,6 +85,7 @@ struct Judged : Measured
   double      reference = not_set;
   std::string kind, source;
   double      at_least = not_set, at_most = not_set, error_at_most = not_set;
+  std::string bound_source; ///< where the bounds come from
 
   bool bounded() const;
 };
@@ -88,6 +93,7 @@ struct Judged : Measured
 struct Case
 {
   std::string           name, title, scene; ///< scene: an absolute path
+  std::string           group;              ///< heads this line of a map and those after it of the same group
   OverrideList          overrides;
   std::vector<CaseAxis> axes; ///< those it uses
   std::vector<Measured> known;

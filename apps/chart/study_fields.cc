@@ -66,11 +66,13 @@ void judged_fields(Fields &f, Judged &q)
   f.quantity({"at most", "a variant above it has failed, on maps"}, q.at_most, q.dimension);
   f.number({"error at most", "a variant whose relative error is greater in size has failed, on maps"},
            q.error_at_most, input::bounds::positive);
+  f.text({"bound source", "where the bounds come from, for maps"}, q.bound_source);
 }
 
 void case_fields(Fields &f, Case &c, const Study &study)
 {
   f.text({"title", "what tables and maps call it; by default the scene's title"}, c.title);
+  f.text({"group", "heading over the case and those after it of the same group, on maps"}, c.group);
   f.text({"scene", "the scene file, as seen from the study", Need::mandatory}, c.scene, "a scene file");
   f.text({"overrides", "set in all variants of the case"}, c.overrides.text, overrides_form);
 
@@ -100,6 +102,9 @@ void case_fields(Fields &f, Case &c, const Study &study)
       for (const std::string &level : levels)
         f.text({"overrides at " + level, "what the level sets in this case, instead of its own"}, a.at[level].text,
                overrides_form);
+      for (const std::string &level : levels)
+        f.text({"does not apply at " + level, "why the level has no meaning in this case: it is not run, and maps say so"},
+               a.without_meaning[level]);
       f.leave();
     }
   if (!c.axes.empty())

@@ -40,7 +40,7 @@ void outline_case(Case &c, const Study &s, const Listing &listing)
     used = names_of(s.axes);
   std::erase(used, "none");
   for (const std::string &axis : used)
-    c.axes.push_back({axis, {}, {}, {}});
+    c.axes.push_back({axis, {}, {}, {}, {}});
 
   c.overrides.items = parse_overrides(listing.value(section, "overrides"), listing.where(section, "overrides"));
   c.scene           = listing.value(section, "scene");
@@ -232,7 +232,7 @@ std::string reference()
   Case &c                                     = s.cases.emplace_back();
   c.name                                      = "CASE";
   c.known                                     = {{"QUANTITY", units::none}};
-  c.axes                                      = {{"AXIS", {}, {}, {}}};
+  c.axes                                      = {{"AXIS", {}, {}, {}, {}}};
   c.quantities.emplace_back().name            = "QUANTITY";
   s.charts.emplace_back().name                = "CHART";
   s.maps.emplace_back().name                  = "MAP";

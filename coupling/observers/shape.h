@@ -5,7 +5,10 @@
 
 namespace ogive::coupling
 {
-/// Extent along the direction; particles count with half their spacing.
+/// Extent along a unit vector, m; particles count with half their spacing.
+double extent_along(const Sample &, const Vec3 &direction);
+
+/// Extent along the direction.
 class Length : public BodyObserver
 {
 public:

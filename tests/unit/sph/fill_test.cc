@@ -131,6 +131,34 @@ TEST(Fill, SpinKeepsTheCentreStill)
   EXPECT_LT((mean - body.velocity).norm(), 1e-11);
 }
 
+TEST(Fill, JitterIsBoundedAndTheSameInEveryRun)
+{
+  input::Scene scene;
+  input::Body  body;
+  body.name        = "b";
+  body.shape.upper = Vec3(.01, .02, .005);
+  body.spacing     = 1e-3;
+  const auto even  = fill<3>(body, scene, 0, copper());
+  body.jitter      = .3;
+  const auto once = fill<3>(body, scene, 0, copper()), again = fill<3>(body, scene, 0, copper());
+  EXPECT_EQ(once.x, again.x);
+  EXPECT_EQ(once.mass, even.mass);
+  double most = 0, mean = 0, square = 0;
+  for (std::size_t i = 0; i < even.x.size(); ++i)
+    for (int a = 0; a < 3; ++a)
+    {
+      const double shift = (once.x[i][a] - even.x[i][a]) / body.spacing;
+      most               = std::max(most, std::abs(shift));
+      mean += shift / (3 * even.x.size());
+      square += shift * shift / (3 * even.x.size());
+    }
+  EXPECT_LE(most, .3);
+  // 3000 numbers spread evenly over +-.3: a mean square of .03, within four of their
+  // standard errors (.3/sqrt(3 3000) and .09 sqrt(4/45/3000))
+  EXPECT_NEAR(mean, 0, 4 * .3 / std::sqrt(9000.));
+  EXPECT_NEAR(square, .03, 4 * .09 * std::sqrt(4. / 45 / 3000));
+}
+
 TEST(Fill, RefusesWhatItCannotHold)
 {
   input::Shape s;
