@@ -92,14 +92,14 @@ SurvivalMap::Cell make_cell(const Results &r, const Case &c, const std::string &
   return cell;
 }
 
-/// Why the levels of a column mean nothing to a case; null if they do.
+/// Why the levels of a column mean nothing to a case; null if they mean something.
 const std::string *why_not(const Study &s, const Case &c, const std::vector<std::string> &axes, const std::vector<int> &key)
 {
   for (std::size_t a = 0; a < axes.size(); ++a)
     if (const CaseAxis *in_case = c.find_axis(axes[a]); in_case && key[a] >= 0)
     {
       const Axis &axis = s.axes[static_cast<std::size_t>(s.axis_index(axes[a]))];
-      if (const std::string *why = in_case->why_not(axis.levels[static_cast<std::size_t>(key[a])].name))
+      if (const std::string *why = chart::why_not(axis, *in_case, axis.levels[static_cast<std::size_t>(key[a])]))
         return why;
     }
   return nullptr;

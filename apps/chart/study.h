@@ -48,6 +48,7 @@ struct Level
   std::string  name, title;
   double       number = not_set; ///< its place on a chart's axis
   OverrideList overrides;
+  std::string  like = {}; ///< an earlier level: this one sets the same in every case, and its own overrides over that
   Condition    only_with, except_with;
 };
 
@@ -66,10 +67,14 @@ struct CaseAxis
   OverrideList                        overrides; ///< instead of the axis' own
   std::map<std::string, OverrideList> at;        ///< instead of the level's own
   std::map<std::string, std::string>  without_meaning; ///< why a level does not apply; empty: it does
-
-  /// Null where the level applies.
-  const std::string *why_not(const std::string &level) const;
 };
+
+/// Why a level of the axis, or one that it is like, means nothing to the case;
+/// null where it applies.
+const std::string *why_not(const Axis &, const CaseAxis &, const Level &);
+
+/// The level that this one is like; null if it is like none.
+const Level *model_of(const Axis &, const Level &);
 
 /// A number of the summary: a quantity of an observer, or one of its checks.
 struct Measured

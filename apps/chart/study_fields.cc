@@ -48,6 +48,9 @@ void axis_fields(Fields &f, Axis &a)
     f.text({"title", "what tables and charts call it; by default its name"}, l.title);
     f.number({"number", "its place along a chart's axis; by default its name, if that is a number"}, l.number);
     f.text({"overrides", "what it sets in the scene"}, l.overrides.text, overrides_form);
+    f.text({"like", "an earlier level: in every case this one sets what that one does, and its own overrides over it, "
+                    "and it applies where that one does"},
+           l.like, "the name of an earlier level");
     f.text({"only with", "the level is left out of variants where this does not hold"}, l.only_with.text,
            condition_form);
     f.text({"except with", "the level is left out of variants where this holds"}, l.except_with.text, condition_form);

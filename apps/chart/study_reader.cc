@@ -121,6 +121,12 @@ void complete_axis(Axis &a, const Study &s, const Listing &listing)
         std::isnan(l.number) && r.ec == std::errc() && r.ptr == end)
       l.number = number;
     l.overrides.items = parse_overrides(l.overrides.text, listing.where(here, "overrides"));
+    const std::vector<std::string> names = names_of(a.levels);
+    const std::vector<std::string> earlier(names.begin(), std::find(names.begin(), names.end(), l.name));
+    if (!l.like.empty() && std::find(earlier.begin(), earlier.end(), l.like) == earlier.end())
+      throw InputError(listing.where(here, "like"), "there is no level \"" + l.like + "\" before this one",
+                       earlier.empty() ? "no \"like\" at the first level" : "one of " + join(earlier),
+                       input::did_you_mean(l.like, earlier));
     l.only_with       = parse_condition(l.only_with.text, s, listing.where(here, "only with"));
     l.except_with     = parse_condition(l.except_with.text, s, listing.where(here, "except with"));
   }

@@ -41,8 +41,10 @@ void check_field(const Scene &s, const Body &b, const Listing &listing)
   if (s.dimension == Dimension::axisymmetric)
     refuse("velocity field", "x is the radius: the field \"" + b.velocity_field + "\" has no meaning there",
            "dimension uniaxial, plane-strain or 3d");
-  if (b.velocity_field == "shear" && s.dimension == Dimension::uniaxial)
-    refuse("velocity field", "there is no shear in a uniaxial scene", "dimension plane-strain or 3d");
+  if ((b.velocity_field == "shear" || b.velocity_field == "draw") && s.dimension == Dimension::uniaxial)
+    refuse("velocity field",
+           b.velocity_field == "shear" ? "there is no shear in a uniaxial scene" : "a uniaxial scene has no sides to draw in",
+           "dimension plane-strain or 3d");
   if (b.velocity_field == "standing-wave" && b.half_waves != std::round(b.half_waves))
     refuse("half waves",
            "a bar with free ends has no mode of " + units::format_number(b.half_waves) + " half waves",

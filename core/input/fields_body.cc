@@ -97,14 +97,14 @@ void body_fields(Fields &f, Body &b, Dimension dimension)
   std::string field = b.velocity_field.empty() ? "none" : b.velocity_field;
   f.choice({"velocity field", "initial velocity beyond translation and spin"}, field,
            {"none", "radial-inverse", "radial-inverse-square", "twist", "bend", "bending-mode", "closing",
-            "converging", "standing-wave", "shear", "saw-tooth", "stretch"});
+            "converging", "standing-wave", "shear", "saw-tooth", "stretch", "draw"});
   b.velocity_field = field == "none" ? "" : field;
   f.quantity({"field speed",
               "speed of the velocity field",
               Need::mandatory,
               {"velocity field",
                {"radial-inverse", "radial-inverse-square", "twist", "bend", "bending-mode", "closing", "converging",
-                "standing-wave", "shear", "saw-tooth", "stretch"}}},
+                "standing-wave", "shear", "saw-tooth", "stretch", "draw"}}},
              b.velocity_field_speed, units::velocity);
   f.number({"half waves", "half wavelengths of the standing wave along x, a whole number", Need::optional,
             {"velocity field", {"standing-wave"}}},

@@ -73,7 +73,7 @@ struct Body
   /// Initial velocity field beyond translation and spin; empty for none:
   /// "radial-inverse" (cylinder, v = speed R/r), "radial-inverse-square"
   /// (sphere), "twist", "bend", "bending-mode", "closing", "converging",
-  /// "standing-wave", "shear", "saw-tooth", "stretch" (velocity_field.h).
+  /// "standing-wave", "shear", "saw-tooth", "stretch", "draw" (velocity_field.h).
   std::string velocity_field;
   double      velocity_field_speed = 0;
   double      half_waves           = 1; ///< "standing-wave": half wavelengths along x, a whole number

@@ -62,6 +62,6 @@ inline Vec3 velocity_field(const Body &body, const Vec3 &x, double bulk_sound_sp
   throw InputError({"", 0, "Bodies/" + body.name + "/velocity field"},
                    "unknown field \"" + body.velocity_field + "\"",
                    "radial-inverse, radial-inverse-square, twist, bend, bending-mode, closing, converging, "
-                   "standing-wave, shear, saw-tooth or stretch");
+                   "standing-wave, shear, saw-tooth, stretch or draw");
 }
 } // namespace ogive::input

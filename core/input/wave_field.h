@@ -62,6 +62,16 @@ inline Vec3 stretch(const Body &b, const Vec3 &x)
   return 2 * (x[0] - middle(b.shape)[0]) / (b.shape.upper[0] - b.shape.lower[0]) * Vec3::UnitX();
 }
 
+inline Vec3 draw(const Body &b, const Vec3 &x)
+{
+  const Vec3   d    = x - middle(b.shape);
+  const double half = .5 * (b.shape.upper[0] - b.shape.lower[0]);
+  int          across = 0;
+  for (int a = 1; a < 3; ++a)
+    across += b.shape.upper[a] > b.shape.lower[a];
+  return Vec3(d[0], across > 0 ? -d[1] / across : 0., across > 1 ? -d[2] / across : 0.) / half;
+}
+
 inline Vec3 saw_tooth(const Body &b, const Vec3 &x)
 {
   std::int64_t parity = 0;
@@ -77,7 +87,7 @@ inline Vec3 saw_tooth(const Body &b, const Vec3 &x)
 
 inline constexpr std::array fields{WaveField{"closing", closing}, WaveField{"converging", converging},
                                    WaveField{"standing-wave", standing_wave}, WaveField{"shear", shear},
-                                   WaveField{"saw-tooth", saw_tooth}, WaveField{"stretch", stretch}};
+                                   WaveField{"saw-tooth", saw_tooth}, WaveField{"stretch", stretch}, WaveField{"draw", draw}};
 } // namespace wave_fields
 
 ///   closing        -sign(x - middle) along x: the halves of a box run at each other
@@ -88,6 +98,7 @@ inline constexpr std::array fields{WaveField{"closing", closing}, WaveField{"con
 ///   shear          2 (y - middle)/height along x
 ///   stretch        2 (x - middle)/length along x: the ends of a box run apart at
 ///                  +-1; a speed below 0 compresses
+///   draw           the same, and drawing in across it so that the volume stays
 ///   saw-tooth      +-1 along x, from one particle or node of a box to the next (in
 ///                  2-D and 3-D as on a chessboard): what a central difference, or
 ///                  an element of one point, cannot see

@@ -98,6 +98,15 @@ TEST(WaveFields, StretchRunsApart)
   EXPECT_EQ(at(b, {2, 2.5, .9}), Vec3(-5, 0, 0));
 }
 
+TEST(WaveFields, DrawKeepsTheVolume)
+{
+  Body b = box("draw");
+  EXPECT_EQ(at(b, {5, 2, .5}), Vec3(10, 0, 0));
+  EXPECT_LT((at(b, {3, 3, 0}) - Vec3(0, -2.5, 1.25)).norm(), 1e-12); // half of 10/2 per metre along each
+  b.shape.lower[2] = b.shape.upper[2] = 0;                          // a plane
+  EXPECT_LT((at(b, {4, 1, 0}) - Vec3(5, 5, 0)).norm(), 1e-12);
+}
+
 // Nodes lie on the corners of cells, up to rounding to either side.
 TEST(WaveFields, SawToothChangesFromNodeToNode)
 {
@@ -177,6 +186,7 @@ TEST(WaveFields, AreRefusedWhereTheyMeanNothing)
   EXPECT_EQ(complaint(gas("uniaxial", field + "closing\n")), "");
   EXPECT_NE(complaint(gas("uniaxial", field + "shear\n")).find("no shear in a uniaxial scene"),
             std::string::npos);
+  EXPECT_NE(complaint(gas("uniaxial", field + "draw\n")).find("no sides to draw in"), std::string::npos);
   EXPECT_EQ(complaint(gas("uniaxial", field + "saw-tooth\n")), "");
   const std::string ring =
       "set shape = box\nset lower = 0, 0 mm\nset upper = 9, 9 mm\nset field speed = 1 m/s\n"
