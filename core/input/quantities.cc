@@ -109,7 +109,7 @@ constexpr std::array quantities{
                    "than the parameter from every face; needs velocity field stretch and a linear elastic box"},
   ObservedQuantity{"fracture_strain", units::none, true, true, units::length,
                    "growth along the direction over the parameter, the gauge length, when the mean stress along it first "
-                   "falls below half of the greatest so far"},
+                   "falls below a tenth of the greatest so far"},
 };
 } // namespace
 

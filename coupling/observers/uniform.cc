@@ -82,7 +82,7 @@ double FractureStrain::measure(const Sample &s, double)
   }
   const double mean = sum / volume;
   greatest_         = std::max(greatest_, mean);
-  return mean < .5 * greatest_ ? (length - first_length_) / parameter() : std::numeric_limits<double>::quiet_NaN();
+  return mean < .1 * greatest_ ? (length - first_length_) / parameter() : std::numeric_limits<double>::quiet_NaN();
 }
 
 void FractureStrain::recall(const std::vector<double> &numbers)

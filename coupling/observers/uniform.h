@@ -30,8 +30,9 @@ private:
 };
 
 /// Growth of the body along the direction over the parameter (the gauge length,
-/// m) when its mean stress along that direction first falls below half of the
-/// greatest so far, as a testing machine would say. NaN while it holds.
+/// m) when its mean stress along that direction first falls below a tenth
+/// of the greatest so far, as a testing machine would say. (Half would be reached
+/// by the ringing of a fast start.) NaN while it holds.
 class FractureStrain : public BodyObserver
 {
 public:
