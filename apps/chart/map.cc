@@ -93,7 +93,8 @@ SurvivalMap::Cell make_cell(const Results &r, const Case &c, const std::string &
 }
 
 /// Why the levels of a column mean nothing to a case; null if they mean something.
-const std::string *why_not(const Study &s, const Case &c, const std::vector<std::string> &axes, const std::vector<int> &key)
+const std::string *why_not(const Study &s, const Case &c, const std::vector<std::string> &axes,
+                           const std::vector<int> &key)
 {
   for (std::size_t a = 0; a < axes.size(); ++a)
     if (const CaseAxis *in_case = c.find_axis(axes[a]); in_case && key[a] >= 0)

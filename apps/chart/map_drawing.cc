@@ -64,6 +64,17 @@ Style style_of(State s)
   }
 }
 
+Lines detail_lines(const SurvivalMap::Cell &c)
+{
+  return wrapped(spoken(c.detail), cell_width);
+}
+
+/// Height of what a cell shows below its state, px.
+double below_state(const SurvivalMap::Cell &c)
+{
+  return (c.metric.empty() ? 0. : 14.) + small * static_cast<double>(detail_lines(c).size());
+}
+
 /// Sizes of the picture, and texts broken into lines.
 struct Layout
 {
@@ -79,9 +90,8 @@ struct Layout
       heights.push_back(std::max(40., sides.back().height() + 8));
       for (const SurvivalMap::Cell &c : l.cells)
       {
-        column                   = std::max(column, text_width(c.metric, 11) + 10);
-        const std::size_t detail = wrapped(spoken(c.detail), cell_width).size();
-        heights.back() = std::max(heights.back(), 12 + big + (c.metric.empty() ? 0 : 14) + small * static_cast<double>(detail));
+        column         = std::max(column, text_width(c.metric, 11) + 10);
+        heights.back() = std::max(heights.back(), 12 + big + below_state(c));
       }
     }
     std::size_t most = 1;
@@ -123,15 +133,14 @@ private:
 void draw_cell(Svg &svg, const SurvivalMap::Cell &c, double x, double y, double width, double height)
 {
   const Style style  = style_of(c.state);
-  const Lines detail = wrapped(spoken(c.detail), cell_width);
   svg.rectangle(x + 1, y + 1, width - 2, height - 2, style.fill, "none", c.why);
   const double middle = x + width / 2;
-  double       line   = y + height / 2 + 4 - .5 * ((c.metric.empty() ? 0 : 14) + small * static_cast<double>(detail.size()));
+  double       line   = y + height / 2 + 4 - .5 * below_state(c);
   const bool   verdict = c.state == State::survived || c.state == State::failed;
   svg.text(middle, line, state_text(c), Anchor::middle, verdict ? 12 : 10, style.text);
   if (!c.metric.empty())
     svg.text(middle, line += 14, c.metric, Anchor::middle, 11);
-  for (const std::string &part : detail)
+  for (const std::string &part : detail_lines(c))
     svg.text(middle, line += small, part, Anchor::middle, 10);
 }
 

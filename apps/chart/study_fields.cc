@@ -106,7 +106,8 @@ void case_fields(Fields &f, Case &c, const Study &study)
         f.text({"overrides at " + level, "what the level sets in this case, instead of its own"}, a.at[level].text,
                overrides_form);
       for (const std::string &level : levels)
-        f.text({"does not apply at " + level, "why the level has no meaning in this case: it is not run, and maps say so"},
+        f.text({"does not apply at " + level,
+                "why the level has no meaning in this case: it is not run, and maps say so"},
                a.without_meaning[level]);
       f.leave();
     }

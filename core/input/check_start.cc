@@ -43,7 +43,8 @@ void check_field(const Scene &s, const Body &b, const Listing &listing)
            "dimension uniaxial, plane-strain or 3d");
   if ((b.velocity_field == "shear" || b.velocity_field == "draw") && s.dimension == Dimension::uniaxial)
     refuse("velocity field",
-           b.velocity_field == "shear" ? "there is no shear in a uniaxial scene" : "a uniaxial scene has no sides to draw in",
+           b.velocity_field == "shear" ? "there is no shear in a uniaxial scene" :
+                                         "a uniaxial scene has no sides to draw in",
            "dimension plane-strain or 3d");
   if (b.velocity_field == "standing-wave" && b.half_waves != std::round(b.half_waves))
     refuse("half waves",

@@ -90,7 +90,8 @@ Names map_line(const std::string &tables, const std::string &title)
 TEST(StabilityMap, SurvivorsAndFailuresAreNotMixedUp)
 {
   const Scratch s;
-  write_file(s.path("study.prm"), cut({"saw-tooth", "patch-start"}, {"standard", "split", "elements", "elements-bare"}));
+  write_file(s.path("study.prm"),
+             cut({"saw-tooth", "patch-start"}, {"standard", "split", "elements", "elements-bare"}));
   const Outcome run = ogive::test::ogive({"chart", s.path("study.prm"), "-o", s.path("r")});
   ASSERT_EQ(run.status, 0) << run.err;
   const std::string tables = read_file(s.path("r/tables.md"));

@@ -70,7 +70,8 @@ TEST(Rows, ALevelLikeAnotherFollowsItInEveryCase)
   bare.overrides.items           = parse_overrides("FEM/hourglass coefficient=0; end time=3 s", {});
   const Matrix m                 = expand(s);
   EXPECT_EQ(m.rows[6].name, "bar+bare+0.5");
-  EXPECT_EQ(texts(m.rows[6]), (Names{"Bodies/bar/method=fem", "FEM/hourglass coefficient=0", "end time=3 s", "SPH/alpha=0.5"}));
+  EXPECT_EQ(texts(m.rows[6]),
+            (Names{"Bodies/bar/method=fem", "FEM/hourglass coefficient=0", "end time=3 s", "SPH/alpha=0.5"}));
 
   // what does not apply to the one does not to the other, unless the case says what to set
   s.cases[0].axes[0].without_meaning["fem"] = "no mesh";
