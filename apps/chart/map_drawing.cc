@@ -16,6 +16,7 @@ using Lines = std::vector<std::string>;
 
 constexpr double      margin = 20;
 constexpr double      big = 16, small = 13; ///< height of a line of 12 and of 10 px letters
+constexpr int         lines_to_a_head = 9; ///< at a heading after so many lines the heads stand again
 constexpr std::size_t head_width = 14, side_width = 46, bounds_width = 56, cell_width = 16; ///< letters
 
 std::string spoken(std::string name)
@@ -106,12 +107,12 @@ struct Layout
         }
       most = std::max(most, heads.back().size());
     }
-    top = 54 + 14 * static_cast<double>(most);
+    head_height = 14 * static_cast<double>(most) + 10;
   }
 
   double left(std::size_t k) const { return margin + side + column * static_cast<double>(k); }
 
-  double              side = 120, column = 84, top = 0;
+  double              side = 120, column = 84, head_height = 0;
   Lines               notes; ///< sources, each once
   std::vector<Lines>  heads;
   std::vector<Side>   sides;
@@ -164,6 +165,17 @@ double draw_line(Svg &svg, const Layout &layout, const SurvivalMap::Line &l, std
   return y + height;
 }
 
+/// Heads of all columns, their last lines in one row. Gives where the cells begin.
+double draw_heads(Svg &svg, const Layout &layout, double y)
+{
+  const double end = y + layout.head_height;
+  for (std::size_t k = 0; k < layout.heads.size(); ++k)
+    for (std::size_t t = 0; t < layout.heads[k].size(); ++t)
+      svg.text(layout.left(k) + layout.column / 2, end - 8 - 14 * static_cast<double>(layout.heads[k].size() - 1 - t),
+               layout.heads[k][t], Anchor::middle, 11);
+  return end;
+}
+
 double draw_legend(Svg &svg, const SurvivalMap &map, double y)
 {
   double x = margin;
@@ -192,17 +204,18 @@ std::string draw(const SurvivalMap &map)
   const double width = std::max(800., layout.left(map.columns.size()) + margin);
   Svg          svg;
   svg.text(margin, 28, map.title, Anchor::start, 15, "font-weight=\"bold\"");
-  for (std::size_t k = 0; k < layout.heads.size(); ++k)
-    for (std::size_t t = 0; t < layout.heads[k].size(); ++t)
-      svg.text(layout.left(k) + layout.column / 2,
-               layout.top - 8 - 14 * static_cast<double>(layout.heads[k].size() - 1 - t), layout.heads[k][t],
-               Anchor::middle, 11);
-  double      y = layout.top;
+  double      y = draw_heads(svg, layout, 44);
   std::string group;
-  for (std::size_t i = 0; i < map.lines.size(); ++i)
+  int         since = 0;
+  for (std::size_t i = 0; i < map.lines.size(); ++i, ++since)
   {
     if (map.lines[i].group != group)
     {
+      if (since >= lines_to_a_head)
+      {
+        y     = draw_heads(svg, layout, y + 6);
+        since = 0;
+      }
       group = map.lines[i].group;
       svg.line(margin, y + 5, layout.left(map.columns.size()), y + 5, "#bbb");
       svg.text(margin, y + 20, group, Anchor::start, 12, "font-weight=\"bold\"");

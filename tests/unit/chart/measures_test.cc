@@ -238,3 +238,21 @@ TEST(Maps, ARunThatEndsEarlySaysSo)
   EXPECT_EQ(cells[1].detail, "too long");
   EXPECT_EQ(cells[2].detail, "");
 }
+
+// Ten lines of one group and one of another: the heads stand above both groups.
+TEST(Maps, HeadsStandAgainInALongPicture)
+{
+  SurvivalMap map;
+  map.columns = {{"this column"}};
+  const auto heads = [&] {
+    const std::string svg = draw(map);
+    std::size_t       n   = 0;
+    for (std::size_t at = svg.find(">this column<"); at != std::string::npos; at = svg.find(">this column<", at + 1))
+      ++n;
+    return n;
+  };
+  map.lines.assign(10, {"line", "", "early", "runs to its end", "", {SurvivalMap::Cell{}}});
+  EXPECT_EQ(heads(), 1u);
+  map.lines.push_back({"line", "", "late", "runs to its end", "", {SurvivalMap::Cell{}}});
+  EXPECT_EQ(heads(), 2u);
+}
