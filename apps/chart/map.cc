@@ -33,11 +33,11 @@ std::string bounds_of(const Case &c)
     const std::string unit = unit_of(c, q.name);
     const bool        low = !std::isnan(q.at_least), high = !std::isnan(q.at_most);
     if (low && high)
-      add(shown(q.at_least, unit, 3) + " ≤ " + q.name + " ≤ " + shown(q.at_most, unit, 3));
+      add(shown(q.at_least, unit) + " ≤ " + q.name + " ≤ " + shown(q.at_most, unit));
     else if (low)
-      add(q.name + " ≥ " + shown(q.at_least, unit, 3));
+      add(q.name + " ≥ " + shown(q.at_least, unit));
     else if (high)
-      add(q.name + " ≤ " + shown(q.at_most, unit, 3));
+      add(q.name + " ≤ " + shown(q.at_most, unit));
     if (!std::isnan(q.error_at_most))
       add(q.name + " within " + shown(100 * q.error_at_most, "1", 3) + " %");
   }
