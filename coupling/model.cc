@@ -2,6 +2,7 @@
 #include "coupling/model.h"
 
 #include "core/base/error.h"
+#include "core/materials/hugoniot.h"
 #include "core/materials/started_material.h"
 #include "fem/mesh.h"
 #include "sph/fill.h"
@@ -59,13 +60,16 @@ void start(sph::BodyParticles<dim> &particles, const input::Body &body)
 {
   if (!body.has_initial_state())
     return;
-  const double                       rest = particles.material->density();
+  const double rest    = particles.material->density();
+  const double density = body.has_start_density() ? body.start_density : rest;
+  const double pressure = body.pressure > 0 ? body.pressure :
+                                              materials::cold_pressure(particles.material->parameters(), density);
   std::vector<materials::StartState> states;
   for (std::size_t i = 0; i < particles.x.size(); ++i)
   {
     const bool beyond = body.has_step() && particles.x[i][0] > body.step_plane;
     states.push_back(beyond ? materials::StartState{body.density_beyond, body.pressure_beyond} :
-                              materials::StartState{rest, body.pressure});
+                              materials::StartState{density, pressure});
     particles.mass[i] *= states.back().density / rest;
   }
   try
@@ -74,7 +78,8 @@ void start(sph::BodyParticles<dim> &particles, const input::Body &body)
   }
   catch (const InputError &e)
   {
-    throw InputError({"", 0, "Bodies/" + body.name + (body.pressure > 0 ? "/pressure" : "/step plane")}, e.complaint());
+    const char *entry = body.pressure > 0 ? "/pressure" : body.has_step() ? "/step plane" : "/start density";
+    throw InputError({"", 0, "Bodies/" + body.name + entry}, e.complaint());
   }
 }
 } // namespace

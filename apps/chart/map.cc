@@ -2,11 +2,11 @@
 #include "apps/chart/map.h"
 
 #include "apps/chart/pictures.h"
-#include "apps/chart/svg.h"
 #include "apps/chart/text.h"
 #include "core/input/listing.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ogive::chart
 {
@@ -24,6 +24,49 @@ std::string metric_of(const Case &c)
   return {};
 }
 
+std::string bounds_of(const Case &c)
+{
+  std::string text;
+  const auto  add = [&](const std::string &one) { text += (text.empty() ? "" : ", ") + one; };
+  for (const Judged &q : c.quantities)
+  {
+    const std::string unit = unit_of(c, q.name);
+    const bool        low = !std::isnan(q.at_least), high = !std::isnan(q.at_most);
+    if (low && high)
+      add(shown(q.at_least, unit) + " ≤ " + q.name + " ≤ " + shown(q.at_most, unit));
+    else if (low)
+      add(q.name + " ≥ " + shown(q.at_least, unit));
+    else if (high)
+      add(q.name + " ≤ " + shown(q.at_most, unit));
+    if (!std::isnan(q.error_at_most))
+      add(q.name + " within " + shown(100 * q.error_at_most, "1", 3) + " %");
+  }
+  return text.empty() ? "runs to its end" : text;
+}
+
+std::string source_of(const Case &c)
+{
+  std::vector<std::string> sources;
+  for (const Judged &q : c.quantities)
+    if (!q.bound_source.empty() && std::find(sources.begin(), sources.end(), q.bound_source) == sources.end())
+      sources.push_back(q.bound_source);
+  std::string text;
+  for (const std::string &s : sources)
+    text += (text.empty() ? "" : "; ") + s;
+  return text;
+}
+
+/// What a single failed row says beyond its metric.
+std::string detail_of(const Case &c, const Outcome &o, const Verdict &v, const std::string &metric)
+{
+  if (o.status != Status::done)
+    return o.status == Status::too_long ? "too long" : "ended early";
+  if (v.broken == metric)
+    return value_of(o, metric) ? "" : "no value";
+  const std::optional<double> value = value_of(o, v.broken);
+  return v.broken + " " + (value ? shown(*value, unit_of(c, v.broken), 3) : "without value");
+}
+
 SurvivalMap::Cell make_cell(const Results &r, const Case &c, const std::string &metric,
                             const std::vector<std::size_t> &rows)
 {
@@ -32,8 +75,11 @@ SurvivalMap::Cell make_cell(const Results &r, const Case &c, const std::string &
   {
     const Verdict verdict = judge(c, r.outcomes[i]);
     ++cell.rows;
-    if (!verdict.survived && cell.failed++ == 0)
-      cell.why = verdict.why;
+    if (verdict.survived || cell.failed++ > 0)
+      continue;
+    cell.why = verdict.why;
+    if (rows.size() == 1)
+      cell.detail = detail_of(c, r.outcomes[i], verdict, metric);
   }
   if (cell.rows > 0)
     cell.state = cell.failed > 0 ? State::failed : State::survived;
@@ -41,20 +87,36 @@ SurvivalMap::Cell make_cell(const Results &r, const Case &c, const std::string &
   if (!metric.empty() && s.least)
   {
     const std::string unit = unit_of(c, metric);
-    cell.metric = *s.least < *s.greatest ? shown_range(*s.least, *s.greatest, unit) : shown(*s.least, unit);
+    cell.metric = *s.least < *s.greatest ? shown_range(*s.least, *s.greatest, unit, 3) : shown(*s.least, unit, 3);
   }
   return cell;
 }
+
+/// Why the levels of a column mean nothing to a case; null if they mean something.
+const std::string *why_not(const Study &s, const Case &c, const std::vector<std::string> &axes,
+                           const std::vector<int> &key)
+{
+  for (std::size_t a = 0; a < axes.size(); ++a)
+    if (const CaseAxis *in_case = c.find_axis(axes[a]); in_case && key[a] >= 0)
+    {
+      const Axis &axis = s.axes[static_cast<std::size_t>(s.axis_index(axes[a]))];
+      if (const std::string *why = chart::why_not(axis, *in_case, axis.levels[static_cast<std::size_t>(key[a])]))
+        return why;
+    }
+  return nullptr;
+}
+} // namespace
 
 std::string state_text(const SurvivalMap::Cell &cell)
 {
   if (cell.state == State::left_out)
     return "not run";
+  if (cell.state == State::without_meaning)
+    return "does not apply";
   if (cell.state == State::survived)
     return "survived";
   return cell.rows > 1 ? "failed " + std::to_string(cell.failed) + " of " + std::to_string(cell.rows) : "failed";
 }
-} // namespace
 
 SurvivalMap make_map(const Results &r, const MapSpec &spec)
 {
@@ -78,7 +140,7 @@ SurvivalMap make_map(const Results &r, const MapSpec &spec)
   for (const std::string &name : spec.cases)
   {
     const Case       &c = *r.study.find_case(name);
-    SurvivalMap::Line line{c.title, metric_of(c), {}};
+    SurvivalMap::Line line{c.title, metric_of(c), c.group, bounds_of(c), source_of(c), {}};
     for (std::size_t k = 0; k < keys.size(); ++k)
     {
       std::vector<std::size_t> mine;
@@ -88,109 +150,46 @@ SurvivalMap make_map(const Results &r, const MapSpec &spec)
       if (!mine.empty())
         map.columns[k] = configuration(r.study, r.rows[mine.front()], spec.columns);
       line.cells.push_back(make_cell(r, c, line.metric, mine));
+      if (const std::string *why = why_not(r.study, c, spec.columns, keys[k]))
+      {
+        line.cells.back().state = State::without_meaning;
+        line.cells.back().why   = *why;
+      }
     }
     map.lines.push_back(std::move(line));
   }
   return map;
 }
 
-namespace
-{
-constexpr double      margin = 20, cell_height = 44;
-constexpr std::size_t head_width = 17, side_width = 34; ///< letters
-
-/// Sizes of the picture, and the heads of its columns line by line.
-struct Layout
-{
-  explicit Layout(const SurvivalMap &map)
-  {
-    for (const SurvivalMap::Line &l : map.lines)
-    {
-      for (const std::string &part : wrapped(l.title, side_width))
-        side = std::max(side, text_width(part) + 16);
-      side = std::max(side, text_width(l.metric, 11) + 16);
-      for (const SurvivalMap::Cell &c : l.cells)
-        column = std::max(column, text_width(c.metric, 11) + 12);
-    }
-    std::size_t most = 1;
-    for (const auto &titles : map.columns)
-    {
-      heads.emplace_back();
-      for (const std::string &t : titles)
-        for (const std::string &part : wrapped(t, head_width))
-        {
-          heads.back().push_back(part);
-          column = std::max(column, text_width(part) + 10);
-        }
-      most = std::max(most, heads.back().size());
-    }
-    top = 54 + 16 * static_cast<double>(most);
-  }
-
-  double left(std::size_t k) const { return margin + side + column * static_cast<double>(k); }
-
-  double                                side = 120, column = 96, top = 0;
-  std::vector<std::vector<std::string>> heads;
-};
-
-void draw_cell(Svg &svg, const SurvivalMap::Cell &c, double x, double y, double width, double height)
-{
-  // light blue and strong orange differ in brightness too
-  const char *fill = c.state == State::survived ? "#cfe6f5" : c.state == State::failed ? "#f2a15f" : "#f4f4f4";
-  const char *text = c.state == State::failed ? "font-weight=\"bold\"" : c.state == State::left_out ? "fill=\"#777\"" : "";
-  svg.rectangle(x + 1, y + 1, width - 2, height - 2, fill);
-  svg.text(x + width / 2, y + height / 2 + (c.metric.empty() ? 4 : -3), state_text(c), Anchor::middle, 12, text);
-  if (!c.metric.empty())
-    svg.text(x + width / 2, y + height / 2 + 13, c.metric, Anchor::middle, 11);
-}
-} // namespace
-
-std::string draw(const SurvivalMap &map)
-{
-  const Layout layout(map);
-  Svg          svg;
-  svg.text(margin, 28, map.title, Anchor::start, 15, "font-weight=\"bold\"");
-  for (std::size_t k = 0; k < layout.heads.size(); ++k)
-    for (std::size_t t = 0; t < layout.heads[k].size(); ++t)
-      svg.text(layout.left(k) + layout.column / 2,
-               layout.top - 8 - 16 * static_cast<double>(layout.heads[k].size() - 1 - t), layout.heads[k][t],
-               Anchor::middle);
-  double y = layout.top;
-  for (const SurvivalMap::Line &l : map.lines)
-  {
-    const auto   title  = wrapped(l.title, side_width);
-    const double lines  = static_cast<double>(title.size() + !l.metric.empty());
-    const double height = std::max(cell_height, 16 * lines + 10);
-    for (std::size_t t = 0; t < title.size(); ++t)
-      svg.text(margin, y + 17 + 15 * static_cast<double>(t), title[t]);
-    if (!l.metric.empty())
-      svg.text(margin, y + 17 + 15 * static_cast<double>(title.size()), l.metric, Anchor::start, 11, "fill=\"#555\"");
-    for (std::size_t k = 0; k < l.cells.size(); ++k)
-      draw_cell(svg, l.cells[k], layout.left(k), y, layout.column, height);
-    y += height;
-  }
-  return svg.finish(std::max(800., layout.left(map.columns.size()) + margin), y + margin);
-}
-
 std::string markdown(const SurvivalMap &map)
 {
-  std::vector<std::string> head{"case", "shown"};
+  std::vector<std::string> head{"case", "shown", "survives if"};
   for (const auto &titles : map.columns)
     head.push_back(input::join(titles));
-  std::string text = "## " + map.title + "\n\n" + markdown_head(head), reasons;
+  std::string text = "## " + map.title + "\n\n" + markdown_head(head), sources, reasons, meaningless;
   for (const SurvivalMap::Line &l : map.lines)
   {
-    std::vector<std::string> cells{l.title, l.metric.empty() ? "-" : l.metric};
+    std::vector<std::string> cells{(l.group.empty() ? "" : l.group + ": ") + l.title, l.metric.empty() ? "-" : l.metric,
+                                   l.bounds};
     for (std::size_t k = 0; k < l.cells.size(); ++k)
     {
-      const SurvivalMap::Cell &c = l.cells[k];
+      const SurvivalMap::Cell &c     = l.cells[k];
       const std::string        state = c.state == State::failed ? "**" + state_text(c) + "**" : state_text(c);
-      cells.push_back(state + (c.metric.empty() ? "" : ", " + c.metric));
+      cells.push_back(state + (c.metric.empty() ? "" : ", " + c.metric) + (c.detail.empty() ? "" : ", " + c.detail));
+      const std::string line = "- " + l.title + ", " + input::join(map.columns[k]) + ": " + c.why + "\n";
       if (c.state == State::failed)
-        reasons += "- " + l.title + ", " + input::join(map.columns[k]) + ": " + c.why + "\n";
+        reasons += line;
+      if (c.state == State::without_meaning)
+        meaningless += line;
     }
+    if (!l.source.empty())
+      sources += "- " + l.title + ": " + l.source + "\n";
     text += markdown_line(cells);
   }
-  return text + (reasons.empty() ? "" : "\nWhy they failed:\n\n" + reasons) + "\n";
+  const auto list = [](const char *title, const std::string &lines) {
+    return lines.empty() ? "" : std::string("\n") + title + ":\n\n" + lines;
+  };
+  return text + list("Where the bounds come from", sources) + list("Why they failed", reasons) +
+         list("What does not apply", meaningless) + "\n";
 }
 } // namespace ogive::chart

@@ -133,26 +133,35 @@ std::string unit_of(const Case &c, const std::string &name)
   return "1";
 }
 
+namespace
+{
+/// How a quantity breaks its bounds; empty if it keeps them.
+std::string breach(const Case &c, const Outcome &o, const Judged &q)
+{
+  if (!q.bounded())
+    return {};
+  const std::optional<double> value = value_of(o, q.name), error = error_of(c, o, q.name);
+  if (!value)
+    return q.name + " has no value";
+  if (*value < q.at_least)
+    return q.name + " " + short_number(*value) + " is below " + short_number(q.at_least);
+  if (*value > q.at_most)
+    return q.name + " " + short_number(*value) + " is above " + short_number(q.at_most);
+  if (std::isnan(q.error_at_most))
+    return {};
+  if (!error)
+    return q.name + " has no reference";
+  return std::abs(*error) > q.error_at_most ? q.name + " is off by " + short_number(100 * *error) + " %" : "";
+}
+} // namespace
+
 Verdict judge(const Case &c, const Outcome &o)
 {
   if (o.status != Status::done)
     return {false, std::string(describe(o.status)) + (o.reason.empty() ? "" : ": " + o.reason)};
   for (const Judged &q : c.quantities)
-  {
-    if (!q.bounded())
-      continue;
-    const std::optional<double> value = value_of(o, q.name), error = error_of(c, o, q.name);
-    if (!value)
-      return {false, q.name + " has no value"};
-    if (*value < q.at_least)
-      return {false, q.name + " " + short_number(*value) + " is below " + short_number(q.at_least)};
-    if (*value > q.at_most)
-      return {false, q.name + " " + short_number(*value) + " is above " + short_number(q.at_most)};
-    if (!std::isnan(q.error_at_most) && !error)
-      return {false, q.name + " has no reference"};
-    if (!std::isnan(q.error_at_most) && std::abs(*error) > q.error_at_most)
-      return {false, q.name + " is off by " + short_number(100 * *error) + " %"};
-  }
+    if (const std::string wrong = breach(c, o, q); !wrong.empty())
+      return {false, wrong, q.name};
   return {};
 }
 } // namespace ogive::chart

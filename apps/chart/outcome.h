@@ -65,7 +65,8 @@ std::string unit_of(const Case &, const std::string &name);
 struct Verdict
 {
   bool        survived = true;
-  std::string why;
+  std::string why    = {};
+  std::string broken = {}; ///< the quantity whose bound it breaks, if that is why
 };
 Verdict judge(const Case &, const Outcome &);
 } // namespace ogive::chart

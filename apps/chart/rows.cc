@@ -10,14 +10,29 @@ namespace ogive::chart
 {
 namespace
 {
-/// The overrides of one level in one case: the most particular list that says anything.
-const OverrideList &overrides_of(const Axis &axis, const Level &level, const CaseAxis &in_case)
+/// Puts one over what is there already.
+void put(std::vector<Override> &all, const Override &o)
+{
+  std::erase_if(all, [&](const Override &e) { return e.path == o.path; });
+  all.push_back(o);
+}
+
+/// The overrides of one level in one case: the most particular list that says
+/// anything, over that of the level it is like.
+std::vector<Override> overrides_of(const Axis &axis, const Level &level, const CaseAxis &in_case)
 {
   if (const auto at = in_case.at.find(level.name); at != in_case.at.end() && !at->second.items.empty())
-    return at->second;
+    return at->second.items;
+  if (const Level *model = model_of(axis, level))
+  {
+    std::vector<Override> all = overrides_of(axis, *model, in_case);
+    for (const Override &o : level.overrides.items)
+      put(all, o);
+    return all;
+  }
   if (!in_case.overrides.items.empty())
-    return in_case.overrides;
-  return level.overrides.items.empty() ? axis.overrides : level.overrides;
+    return in_case.overrides.items;
+  return level.overrides.items.empty() ? axis.overrides.items : level.overrides.items;
 }
 
 Override with_level(Override o, const std::string &level)
@@ -26,13 +41,6 @@ Override with_level(Override o, const std::string &level)
     for (std::size_t at = text->find("{}"); at != std::string::npos; at = text->find("{}", at + level.size()))
       text->replace(at, 2, level);
   return o;
-}
-
-/// Puts one over what is there already.
-void put(std::vector<Override> &all, const Override &o)
-{
-  std::erase_if(all, [&](const Override &e) { return e.path == o.path; });
-  all.push_back(o);
 }
 
 std::vector<Override> overrides_of(const Study &s, const Row &row)
@@ -49,7 +57,7 @@ std::vector<Override> overrides_of(const Study &s, const Row &row)
     const Level          &level   = s.axes[a].levels[static_cast<std::size_t>(row.levels[a])];
     const CaseAxis       &in_case = *c.find_axis(s.axes[a].name);
     std::vector<Override> mine;
-    for (const Override &raw : overrides_of(s.axes[a], level, in_case).items)
+    for (const Override &raw : overrides_of(s.axes[a], level, in_case))
     {
       const Override o = with_level(raw, level.name);
       if (std::any_of(of_axes.begin(), of_axes.end(), [&](const Override &e) { return e.path == o.path; }))
@@ -71,6 +79,8 @@ bool wanted(const Study &s, const Row &row)
     if (row.levels[a] >= 0)
     {
       const Level &level = s.axes[a].levels[static_cast<std::size_t>(row.levels[a])];
+      if (why_not(s.axes[a], *s.cases[row.of_case].find_axis(s.axes[a].name), level))
+        return false;
       if (!holds(level.only_with, level_of, true))
         return false;
       if (!level.except_with.alternatives.empty() && holds(level.except_with, level_of, false))
@@ -136,7 +146,8 @@ void expand_case(const Study &s, std::size_t index, Matrix &matrix)
   } while (advance(at, choices));
   if (matrix.rows.size() == before)
     throw InputError({s.file, 0, "Cases/" + s.cases[index].name},
-                     "every variant of the case is left out by \"only with\" or \"except with\"", "at least one variant");
+                     "every variant of the case is left out by \"only with\", \"except with\" or \"does not apply\"",
+                     "at least one variant");
 }
 } // namespace
 

@@ -11,6 +11,24 @@ bool Judged::bounded() const
   return !std::isnan(at_least) || !std::isnan(at_most) || !std::isnan(error_at_most);
 }
 
+const Level *model_of(const Axis &axis, const Level &level)
+{
+  const auto it =
+    std::find_if(axis.levels.begin(), axis.levels.end(), [&](const Level &l) { return l.name == level.like; });
+  return it == axis.levels.end() ? nullptr : &*it;
+}
+
+const std::string *why_not(const Axis &axis, const CaseAxis &in_case, const Level &level)
+{
+  if (const auto it = in_case.without_meaning.find(level.name);
+      it != in_case.without_meaning.end() && !it->second.empty())
+    return &it->second;
+  // what a case says of the level itself goes before what it says of the other
+  const auto   own   = in_case.at.find(level.name);
+  const Level *model = model_of(axis, level);
+  return model && (own == in_case.at.end() || own->second.items.empty()) ? why_not(axis, in_case, *model) : nullptr;
+}
+
 const CaseAxis *Case::find_axis(const std::string &wanted) const
 {
   const auto it = std::find_if(axes.begin(), axes.end(), [&](const CaseAxis &a) { return a.axis == wanted; });

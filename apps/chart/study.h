@@ -48,6 +48,7 @@ struct Level
   std::string  name, title;
   double       number = not_set; ///< its place on a chart's axis
   OverrideList overrides;
+  std::string  like = {}; ///< an earlier level: this one sets the same in every case, and its own overrides over that
   Condition    only_with, except_with;
 };
 
@@ -65,7 +66,15 @@ struct CaseAxis
   std::vector<std::string>            levels;    ///< empty: all
   OverrideList                        overrides; ///< instead of the axis' own
   std::map<std::string, OverrideList> at;        ///< instead of the level's own
+  std::map<std::string, std::string>  without_meaning; ///< why a level does not apply; empty: it does
 };
+
+/// Why a level of the axis, or one that it is like, means nothing to the case;
+/// null where it applies.
+const std::string *why_not(const Axis &, const CaseAxis &, const Level &);
+
+/// The level that this one is like; null if it is like none.
+const Level *model_of(const Axis &, const Level &);
 
 /// A number of the summary: a quantity of an observer, or one of its checks.
 struct Measured
@@ -81,6 +90,7 @@ struct Judged : Measured
   double      reference = not_set;
   std::string kind, source;
   double      at_least = not_set, at_most = not_set, error_at_most = not_set;
+  std::string bound_source; ///< where the bounds come from
 
   bool bounded() const;
 };
@@ -88,6 +98,7 @@ struct Judged : Measured
 struct Case
 {
   std::string           name, title, scene; ///< scene: an absolute path
+  std::string           group;              ///< heads this line of a map and those after it of the same group
   OverrideList          overrides;
   std::vector<CaseAxis> axes; ///< those it uses
   std::vector<Measured> known;

@@ -48,6 +48,9 @@ void axis_fields(Fields &f, Axis &a)
     f.text({"title", "what tables and charts call it; by default its name"}, l.title);
     f.number({"number", "its place along a chart's axis; by default its name, if that is a number"}, l.number);
     f.text({"overrides", "what it sets in the scene"}, l.overrides.text, overrides_form);
+    f.text({"like", "an earlier level: in every case this one sets what that one does, and its own overrides over it, "
+                    "and it applies where that one does"},
+           l.like, "the name of an earlier level");
     f.text({"only with", "the level is left out of variants where this does not hold"}, l.only_with.text,
            condition_form);
     f.text({"except with", "the level is left out of variants where this holds"}, l.except_with.text, condition_form);
@@ -66,11 +69,13 @@ void judged_fields(Fields &f, Judged &q)
   f.quantity({"at most", "a variant above it has failed, on maps"}, q.at_most, q.dimension);
   f.number({"error at most", "a variant whose relative error is greater in size has failed, on maps"},
            q.error_at_most, input::bounds::positive);
+  f.text({"bound source", "where the bounds come from, for maps"}, q.bound_source);
 }
 
 void case_fields(Fields &f, Case &c, const Study &study)
 {
   f.text({"title", "what tables and maps call it; by default the scene's title"}, c.title);
+  f.text({"group", "heading over the case and those after it of the same group, on maps"}, c.group);
   f.text({"scene", "the scene file, as seen from the study", Need::mandatory}, c.scene, "a scene file");
   f.text({"overrides", "set in all variants of the case"}, c.overrides.text, overrides_form);
 
@@ -100,6 +105,10 @@ void case_fields(Fields &f, Case &c, const Study &study)
       for (const std::string &level : levels)
         f.text({"overrides at " + level, "what the level sets in this case, instead of its own"}, a.at[level].text,
                overrides_form);
+      for (const std::string &level : levels)
+        f.text({"does not apply at " + level,
+                "why the level has no meaning in this case: it is not run, and maps say so"},
+               a.without_meaning[level]);
       f.leave();
     }
   if (!c.axes.empty())

@@ -40,7 +40,7 @@ void outline_case(Case &c, const Study &s, const Listing &listing)
     used = names_of(s.axes);
   std::erase(used, "none");
   for (const std::string &axis : used)
-    c.axes.push_back({axis, {}, {}, {}});
+    c.axes.push_back({axis, {}, {}, {}, {}});
 
   c.overrides.items = parse_overrides(listing.value(section, "overrides"), listing.where(section, "overrides"));
   c.scene           = listing.value(section, "scene");
@@ -121,6 +121,12 @@ void complete_axis(Axis &a, const Study &s, const Listing &listing)
         std::isnan(l.number) && r.ec == std::errc() && r.ptr == end)
       l.number = number;
     l.overrides.items = parse_overrides(l.overrides.text, listing.where(here, "overrides"));
+    const std::vector<std::string> names = names_of(a.levels);
+    const std::vector<std::string> earlier(names.begin(), std::find(names.begin(), names.end(), l.name));
+    if (!l.like.empty() && std::find(earlier.begin(), earlier.end(), l.like) == earlier.end())
+      throw InputError(listing.where(here, "like"), "there is no level \"" + l.like + "\" before this one",
+                       earlier.empty() ? "no \"like\" at the first level" : "one of " + join(earlier),
+                       input::did_you_mean(l.like, earlier));
     l.only_with       = parse_condition(l.only_with.text, s, listing.where(here, "only with"));
     l.except_with     = parse_condition(l.except_with.text, s, listing.where(here, "except with"));
   }
@@ -232,7 +238,7 @@ std::string reference()
   Case &c                                     = s.cases.emplace_back();
   c.name                                      = "CASE";
   c.known                                     = {{"QUANTITY", units::none}};
-  c.axes                                      = {{"AXIS", {}, {}, {}}};
+  c.axes                                      = {{"AXIS", {}, {}, {}, {}}};
   c.quantities.emplace_back().name            = "QUANTITY";
   s.charts.emplace_back().name                = "CHART";
   s.maps.emplace_back().name                  = "MAP";

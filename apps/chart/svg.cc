@@ -92,10 +92,12 @@ void Svg::line(double x1, double y1, double x2, double y2, const std::string &c,
            attribute("stroke", c) + attribute("stroke-width", width) + "/>\n";
 }
 
-void Svg::rectangle(double x, double y, double width, double height, const std::string &fill, const std::string &stroke)
+void Svg::rectangle(double x, double y, double width, double height, const std::string &fill, const std::string &stroke,
+                    const std::string &tip)
 {
   body_ += "<rect" + attribute("x", x) + attribute("y", y) + attribute("width", width) + attribute("height", height) +
-           attribute("fill", fill) + attribute("stroke", stroke) + "/>\n";
+           attribute("fill", fill) + attribute("stroke", stroke);
+  body_ += tip.empty() ? "/>\n" : "><title>" + escaped(tip) + "</title></rect>\n";
 }
 
 void Svg::text(double x, double y, const std::string &t, Anchor anchor, int size, const std::string &style)

@@ -21,7 +21,7 @@ class Svg
 public:
   void line(double x1, double y1, double x2, double y2, const std::string &colour, double width = 1);
   void rectangle(double x, double y, double width, double height, const std::string &fill,
-                 const std::string &stroke = "none");
+                 const std::string &stroke = "none", const std::string &tip = {});
   void text(double x, double y, const std::string &, Anchor = Anchor::start, int size = 12,
             const std::string &style = {});
   /// Runs upwards.

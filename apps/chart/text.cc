@@ -18,6 +18,13 @@ std::string formatted(const char *format, double v)
   return text.data();
 }
 
+std::string with_figures(double v, int figures)
+{
+  std::array<char, 64> text;
+  std::snprintf(text.data(), text.size(), "%.*g", figures, v);
+  return text.data();
+}
+
 /// Greatest multiple of three, at most n.
 int floor_3(double n)
 {
@@ -46,18 +53,18 @@ ShownUnit shown_unit(double size, const std::string &unit)
   return {std::pow(10., -power), "10" + superscript(power) + (plain ? "" : " " + unit)};
 }
 
-std::string shown(double value, const std::string &unit)
+std::string shown(double value, const std::string &unit, int figures)
 {
   const bool      plain = unit.empty() || unit == "1";
   const ShownUnit s     = plain ? ShownUnit{} : shown_unit(value, unit);
-  return formatted("%.4g", value * s.factor) + (s.unit.empty() ? "" : " " + s.unit);
+  return with_figures(value * s.factor, figures) + (s.unit.empty() ? "" : " " + s.unit);
 }
 
-std::string shown_range(double least, double greatest, const std::string &unit)
+std::string shown_range(double least, double greatest, const std::string &unit, int figures)
 {
   const bool      plain = unit.empty() || unit == "1";
   const ShownUnit s     = plain ? ShownUnit{} : shown_unit(std::max(std::abs(least), std::abs(greatest)), unit);
-  return formatted("%.4g", least * s.factor) + " .. " + formatted("%.4g", greatest * s.factor) +
+  return with_figures(least * s.factor, figures) + " .. " + with_figures(greatest * s.factor, figures) +
          (s.unit.empty() ? "" : " " + s.unit);
 }
 

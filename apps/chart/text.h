@@ -16,11 +16,11 @@ struct ShownUnit
 /// `unit` is an SI unit, "1" for none.
 ShownUnit shown_unit(double size, const std::string &unit);
 
-/// Four figures with a unit: "21.42 mm".
-std::string shown(double value, const std::string &unit);
+/// So many figures with a unit: "21.42 mm".
+std::string shown(double value, const std::string &unit, int figures = 4);
 
 /// "21.42 .. 23 mm".
-std::string shown_range(double least, double greatest, const std::string &unit);
+std::string shown_range(double least, double greatest, const std::string &unit, int figures = 4);
 
 /// "+.0123" as "+1.23 %".
 std::string percent(double share);

@@ -41,10 +41,11 @@ void check_field(const Scene &s, const Body &b, const Listing &listing)
   if (s.dimension == Dimension::axisymmetric)
     refuse("velocity field", "x is the radius: the field \"" + b.velocity_field + "\" has no meaning there",
            "dimension uniaxial, plane-strain or 3d");
-  if (b.velocity_field == "shear" && s.dimension == Dimension::uniaxial)
-    refuse("velocity field", "there is no shear in a uniaxial scene", "dimension plane-strain or 3d");
-  if (b.velocity_field == "saw-tooth" && b.method != Method::sph)
-    refuse("velocity field", "the field \"saw-tooth\" changes from particle to particle", "method sph");
+  if ((b.velocity_field == "shear" || b.velocity_field == "draw") && s.dimension == Dimension::uniaxial)
+    refuse("velocity field",
+           b.velocity_field == "shear" ? "there is no shear in a uniaxial scene" :
+                                         "a uniaxial scene has no sides to draw in",
+           "dimension plane-strain or 3d");
   if (b.velocity_field == "standing-wave" && b.half_waves != std::round(b.half_waves))
     refuse("half waves",
            "a bar with free ends has no mode of " + units::format_number(b.half_waves) + " half waves",
@@ -68,7 +69,7 @@ void check_state(const Scene &s, const Body &b, const Listing &listing)
   if (!b.has_initial_state())
     return;
   const std::string path  = "Bodies/" + b.name;
-  const char       *entry = b.pressure > 0 ? "pressure" : "step plane";
+  const char *entry = b.has_start_density() ? "start density" : b.pressure > 0 ? "pressure" : "step plane";
   if (b.method != Method::sph)
     throw InputError(listing.where(path, entry), "a state at the start is for particles only", "method sph");
   if (!b.has_step())

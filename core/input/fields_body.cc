@@ -60,6 +60,9 @@ void shape_fields(Fields &f, Shape &s, Dimension dimension)
 
 void state_fields(Fields &f, Body &b)
 {
+  f.quantity({"start density", "density at the start, by default the material's: less is a body stretched alike along "
+                               "all axes, in tension; particles only"},
+             b.start_density, units::density, bounds::positive);
   f.quantity({"pressure", "pressure at the start, made by heat: an ideal gas has none without it; particles only"},
              b.pressure, units::pressure, bounds::not_negative);
   f.quantity({"step plane", "x past which the body starts with another density and pressure; particles only"},
@@ -99,14 +102,14 @@ void body_fields(Fields &f, Body &b, Dimension dimension)
   std::string field = b.velocity_field.empty() ? "none" : b.velocity_field;
   f.choice({"velocity field", "initial velocity beyond translation and spin"}, field,
            {"none", "radial-inverse", "radial-inverse-square", "twist", "bend", "bending-mode", "closing",
-            "converging", "standing-wave", "shear", "saw-tooth"});
+            "converging", "standing-wave", "shear", "saw-tooth", "stretch", "draw"});
   b.velocity_field = field == "none" ? "" : field;
   f.quantity({"field speed",
               "speed of the velocity field",
               Need::mandatory,
               {"velocity field",
                {"radial-inverse", "radial-inverse-square", "twist", "bend", "bending-mode", "closing", "converging",
-                "standing-wave", "shear", "saw-tooth"}}},
+                "standing-wave", "shear", "saw-tooth", "stretch", "draw"}}},
              b.velocity_field_speed, units::velocity);
   f.number({"half waves", "half wavelengths of the standing wave along x, a whole number", Need::optional,
             {"velocity field", {"standing-wave"}}},

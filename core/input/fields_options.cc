@@ -41,7 +41,8 @@ void sph_fields(Fields &f, SphOptions &o)
   f.number({"artificial stress", "coefficient against the tensile instability; 0: none"}, o.artificial_stress,
            bounds::not_negative);
   f.number({"hourglass", "coefficient of the hourglass control"}, o.hourglass, bounds::not_negative);
-  f.number({"step factor", "share of the stability bound"}, o.step_factor, bounds::positive_fraction);
+  f.number({"step factor", "share of the stability bound; above 1 only to see a run blow up"}, o.step_factor,
+           Bound{0, 2, true});
 }
 
 void fem_fields(Fields &f, FemOptions &o)
@@ -52,7 +53,8 @@ void fem_fields(Fields &f, FemOptions &o)
            bounds::not_negative);
   f.number({"bulk quadratic", "quadratic coefficient of the bulk viscosity"}, o.bulk_quadratic, bounds::not_negative);
   f.number({"bulk linear", "linear coefficient of the bulk viscosity"}, o.bulk_linear, bounds::not_negative);
-  f.number({"step factor", "share of the stability bound"}, o.step_factor, bounds::positive_fraction);
+  f.number({"step factor", "share of the stability bound; above 1 only to see a run blow up"}, o.step_factor,
+           Bound{0, 2, true});
 }
 
 void stop_fields(Fields &f, StopRule &s)

@@ -63,7 +63,8 @@ constexpr std::array quantities{
   ObservedQuantity{"fragments", units::none, true, false, units::none,
                    "number of pieces of the body; particles closer than 1.75 spacings hang together"},
   ObservedQuantity{"smallest_distance", units::none, true, false, units::none,
-                   "least distance of two particles over their spacing, so far"},
+                   "least distance of two particles over their spacing, or of two nodes of an element over that at the start, "
+                   "so far"},
   ObservedQuantity{"symmetry_error", units::length, false, false, units::none,
                    "greatest distance between a point and the mirror image of its partner, in the plane through the "
                    "point across the direction"},
@@ -103,6 +104,12 @@ constexpr std::array quantities{
                    "heat of the artificial viscosity of particles over the kinetic energy at the start"},
   ObservedQuantity{"viscosity_to_plastic_work", units::none, false, false, units::none,
                    "heat of the artificial viscosity of particles over the plastic work"},
+  ObservedQuantity{"patch_error", units::none, true, true, units::length,
+                   "root mean square distance of the stress from the exact uniform one, over it, of what began farther "
+                   "than the parameter from every face; needs velocity field stretch and a linear elastic box"},
+  ObservedQuantity{"fracture_strain", units::none, true, true, units::length,
+                   "growth along the direction over the parameter, the gauge length, when the mean stress along it first "
+                   "falls below a tenth of the greatest so far"},
 };
 } // namespace
 

@@ -76,19 +76,22 @@ struct Body
   /// Initial velocity field beyond translation and spin; empty for none:
   /// "radial-inverse" (cylinder, v = speed R/r), "radial-inverse-square"
   /// (sphere), "twist", "bend", "bending-mode", "closing", "converging",
-  /// "standing-wave", "shear", "saw-tooth" (velocity_field.h).
+  /// "standing-wave", "shear", "saw-tooth", "stretch", "draw" (velocity_field.h).
   std::string velocity_field;
   double      velocity_field_speed = 0;
   double      half_waves           = 1; ///< "standing-wave": half wavelengths along x, a whole number
-  /// State at the start, particles only: a pressure that heat makes (Pa), and
-  /// past step_plane along x, unless that is NaN, another pressure and density.
+  /// State at the start, particles only: a density (kg/m^3, NaN: the material's),
+  /// a pressure that heat makes (Pa), and past step_plane along x, unless that is
+  /// NaN, another pressure and density.
+  double      start_density = std::numeric_limits<double>::quiet_NaN();
   double      pressure   = 0;
   double      step_plane = std::numeric_limits<double>::quiet_NaN(); ///< m
   double      density_beyond  = std::numeric_limits<double>::quiet_NaN(); ///< kg/m^3
   double      pressure_beyond = std::numeric_limits<double>::quiet_NaN(); ///< Pa
 
   bool has_step() const { return step_plane == step_plane; }
-  bool has_initial_state() const { return pressure > 0 || has_step(); }
+  bool has_start_density() const { return start_density == start_density; }
+  bool has_initial_state() const { return pressure > 0 || has_step() || has_start_density(); }
 };
 
 /// Keeps the half x_axis >= 0 of everything.

@@ -35,7 +35,9 @@ inline Vec3 velocity_field(const Body &body, const Vec3 &x, double bulk_sound_sp
     const double r = d.norm();
     return speed * inner * inner / (r * r * r) * d;
   }
-  const double length = s.upper[1] - s.lower[1], y = x[1] - s.lower[1];
+  // What lies at y < 0 of a body that reaches beyond is in the clamp.
+  const double root   = s.lower[1] < 0 && s.upper[1] > 0 ? 0 : s.lower[1];
+  const double length = s.upper[1] - root, y = std::max(0., x[1] - root);
   if (body.velocity_field == "twist")
   {
     const Vec3 middle = .5 * (s.lower + s.upper);
@@ -60,6 +62,6 @@ inline Vec3 velocity_field(const Body &body, const Vec3 &x, double bulk_sound_sp
   throw InputError({"", 0, "Bodies/" + body.name + "/velocity field"},
                    "unknown field \"" + body.velocity_field + "\"",
                    "radial-inverse, radial-inverse-square, twist, bend, bending-mode, closing, converging, "
-                   "standing-wave, shear or saw-tooth");
+                   "standing-wave, shear, saw-tooth, stretch or draw");
 }
 } // namespace ogive::input

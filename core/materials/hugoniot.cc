@@ -42,10 +42,17 @@ Shock hugoniot(const Parameters &p, double u)
   return {low, pressure, pressure / (p.density * u)};
 }
 
+double cold_pressure(const Parameters &p, double density)
+{
+  return respond(p, density, 0.).pressure;
+}
+
 double energy_at(const Parameters &p, double density, double pressure)
 {
   const double unit  = pressure > 0 ? pressure / density : 1.; // an energy of about the right size
   const double zero  = respond(p, density, 0.).pressure;
+  if (pressure == zero)
+    return 0;
   const double slope = (respond(p, density, unit).pressure - zero) / unit;
   if (!(slope > 0))
     throw InputError("the law \"" + p.eos.law + "\" has one pressure at each density, whatever the heat");

@@ -21,8 +21,12 @@ struct Shock
 /// found. InputError for a material that carries shear or has no such state.
 Shock hugoniot(const Parameters &, double particle_velocity);
 
+/// Pressure without any heat, Pa.
+double cold_pressure(const Parameters &, double density);
+
 /// Specific energy, J/kg, at which the equation of state has this pressure.
-/// InputError (without a place) where pressure does not hang on energy.
+/// InputError (without a place) where pressure does not hang on energy, unless it
+/// is that without heat.
 double energy_at(const Parameters &, double density, double pressure);
 
 /// (dp/drho)_s at this density and energy, m^2/s^2.

@@ -8,6 +8,14 @@
 
 namespace ogive::coupling
 {
+/// How far node i stands for its body along a unit vector, m: half of its cell.
+inline double half_cell(const Sample &s, std::size_t i, const Vec3 &along)
+{
+  if (s.half_cell[0].empty())
+    return s.radius[i];
+  return Vec3(s.half_cell[0][i], s.half_cell[1][i], s.half_cell[2][i]).cwiseProduct(along).norm();
+}
+
 /// An observer of one body along one direction, whose value is made afresh at
 /// every row.
 class BodyObserver : public Observer
@@ -37,14 +45,6 @@ protected:
     return a[0][i] * direction_.x() + a[1][i] * direction_.y() + a[2][i] * direction_.z();
   }
   static Vec3 at(const std::array<std::vector<double>, 3> &a, std::size_t i) { return {a[0][i], a[1][i], a[2][i]}; }
-
-  /// How far node i stands for its body along a unit direction, m.
-  static double half_cell(const Sample &s, std::size_t i, const Vec3 &along)
-  {
-    if (s.half_cell[0].empty())
-      return s.radius[i];
-    return at(s.half_cell, i).cwiseProduct(along).norm();
-  }
 
   /// What was nearest to the point at the start.
   std::size_t nearest_node(const Sample &s) const

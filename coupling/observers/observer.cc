@@ -12,6 +12,7 @@
 #include "coupling/observers/shape.h"
 #include "coupling/observers/shares.h"
 #include "coupling/observers/shocks.h"
+#include "coupling/observers/uniform.h"
 #include "coupling/observers/vibration.h"
 #include "coupling/observers/waves.h"
 
@@ -91,6 +92,8 @@ constexpr std::array makers = {
   Maker{"kinetic_energy_kept", make<KineticEnergyKept>},
   Maker{"viscosity_heat_share", make<ViscosityHeatShare>},
   Maker{"viscosity_to_plastic_work", make<ViscosityToPlasticWork>},
+  Maker{"patch_error", make<PatchError>},
+  Maker{"fracture_strain", make<FractureStrain>},
 };
 } // namespace
 

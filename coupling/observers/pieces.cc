@@ -43,6 +43,22 @@ void for_each_pair(const Sample &s, double reach, F &&f)
       }
 }
 
+/// Least distance of two nodes of one cell over that at the start.
+double least_stretch(const Sample &s)
+{
+  const auto  at    = [](const Axes &a, std::size_t i) { return Vec3(a[0][i], a[1][i], a[2][i]); };
+  const auto  n     = static_cast<std::size_t>(s.nodes_per_cell);
+  double      least = std::numeric_limits<double>::infinity();
+  for (std::size_t cell = 0; cell < s.cells.size(); cell += n)
+    for (std::size_t i = cell; i < cell + n; ++i)
+      for (std::size_t j = cell; j < i; ++j)
+      {
+        const std::uint32_t a = s.cells[i], b = s.cells[j];
+        least = std::min(least, (at(s.x, a) - at(s.x, b)).norm() / (at(s.x0, a) - at(s.x0, b)).norm());
+      }
+  return least;
+}
+
 /// Sets that grow together.
 class Sets
 {
@@ -85,9 +101,9 @@ double Fragments::measure(const Sample &s, double)
 
 double SmallestDistance::measure(const Sample &s, double)
 {
-  if (s.is_mesh)
-    return std::numeric_limits<double>::quiet_NaN();
   double least = std::isnan(value()) ? std::numeric_limits<double>::infinity() : value();
+  if (s.is_mesh)
+    return std::min(least, least_stretch(s));
   for_each_pair(s, 2, [&](std::size_t, std::size_t, double distance) { least = std::min(least, distance); });
   return least;
 }

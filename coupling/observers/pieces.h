@@ -17,8 +17,8 @@ protected:
   double measure(const Sample &, double time) override;
 };
 
-/// Least distance of two particles over their spacing, of all rows so far; NaN
-/// for elements.
+/// Least distance of two particles over their spacing, of all rows so far. With
+/// elements, of two nodes of one cell over their distance at the start.
 class SmallestDistance : public BodyObserver
 {
 public:

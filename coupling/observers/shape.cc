@@ -23,16 +23,22 @@ struct Extent
 };
 } // namespace
 
-double Length::measure(const Sample &s, double)
+double extent_along(const Sample &s, const Vec3 &direction)
 {
   Extent e;
   for (std::size_t i = 0; i < s.mass.size(); ++i)
   {
-    const double x = along(s.x, i), half = half_cell(s, i, direction());
-    e.low          = std::min(e.low, x - half);
-    e.high         = std::max(e.high, x + half);
+    const double x    = s.x[0][i] * direction.x() + s.x[1][i] * direction.y() + s.x[2][i] * direction.z();
+    const double half = half_cell(s, i, direction);
+    e.low             = std::min(e.low, x - half);
+    e.high            = std::max(e.high, x + half);
   }
   return e.length();
+}
+
+double Length::measure(const Sample &s, double)
+{
+  return extent_along(s, direction());
 }
 
 FootRadius::FootRadius(const input::Observer &o, const input::Scene &scene)

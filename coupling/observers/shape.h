@@ -5,7 +5,10 @@
 
 namespace ogive::coupling
 {
-/// Extent along the direction; particles count with the half of their cell.
+/// Extent along a unit vector, m; particles count with the half of their cell.
+double extent_along(const Sample &, const Vec3 &direction);
+
+/// Extent along the direction.
 class Length : public BodyObserver
 {
 public:

@@ -37,9 +37,9 @@ inline Study two_cases()
 
   s.cases.resize(2);
   s.cases[0].name = s.cases[0].title = "bar";
-  s.cases[0].axes                    = {{"method", {}, {}, {}}, {"alpha", {}, {}, {}}};
+  s.cases[0].axes                    = {{"method", {}, {}, {}, {}}, {"alpha", {}, {}, {}, {}}};
   s.cases[1].name = s.cases[1].title = "rod";
-  s.cases[1].axes                    = {{"alpha", {}, {}, {}}};
+  s.cases[1].axes                    = {{"alpha", {}, {}, {}, {}}};
   for (Case &c : s.cases)
   {
     c.known = {{"tip", units::length}, {"energy_drift", units::none, false}};

@@ -160,3 +160,99 @@ TEST(Maps, ABoundDecides)
   EXPECT_EQ(coarse[2].failed, 2u); // 24 and 25 of 23, 24, 25 mm
   EXPECT_NE(markdown(make_map(e.results(), m)).find("**failed 2 of 3**, 23 .. 25 mm"), std::string::npos);
 }
+
+TEST(Maps, WhatDoesNotApplyIsNeverSurvived)
+{
+  Example e;
+  e.study.cases[0].axes[0].without_meaning["fem"] = "the bar is of particles";
+  e.rows                                          = expand(e.study).rows;
+  ASSERT_EQ(e.rows.size(), 6u); // bar+sph and rod, three each
+  e.outcomes.resize(6);
+  MapSpec m;
+  m.cases               = {"bar"};
+  m.columns             = {"method"};
+  const SurvivalMap map = make_map(e.results(), m);
+  // no row of this case has the level, so nothing else may put a column there
+  ASSERT_EQ(map.lines[0].cells.size(), 1u);
+  EXPECT_EQ(map.columns[0].front(), "sph");
+
+  // another case keeps the column
+  e.study.cases[1].axes.insert(e.study.cases[1].axes.begin(), {"method", {}, {}, {}, {}});
+  e.rows = expand(e.study).rows;
+  e.outcomes.resize(e.rows.size(), e.outcomes.front());
+  m.cases              = {"bar", "rod"};
+  const SurvivalMap both = make_map(e.results(), m);
+  ASSERT_EQ(both.lines[0].cells.size(), 2u);
+  EXPECT_EQ(both.lines[0].cells[0].state, SurvivalMap::State::without_meaning);
+  EXPECT_EQ(both.lines[0].cells[1].state, SurvivalMap::State::survived);
+  EXPECT_EQ(both.lines[1].cells[0].state, SurvivalMap::State::survived);
+  EXPECT_NE(markdown(both).find("- bar, fem: the bar is of particles"), std::string::npos);
+  const std::string svg = draw(both);
+  EXPECT_NE(svg.find(">does not apply<"), std::string::npos);
+  EXPECT_NE(svg.find("<title>the bar is of particles</title>"), std::string::npos);
+}
+
+TEST(Maps, SayWhatASurvivorKeepsAndWhoSaysSo)
+{
+  Example  e;
+  Case    &bar                     = e.study.cases[0];
+  bar.group                        = "bending";
+  bar.quantities[0].at_most        = .0245;
+  bar.quantities[0].bound_source   = "a book";
+  Judged drift;
+  static_cast<Measured &>(drift)   = bar.known[1];
+  drift.at_least                   = 0; // every row has -1e-3
+  drift.bound_source               = "another";
+  bar.quantities.push_back(drift);
+  MapSpec m;
+  m.cases                = {"bar", "rod"};
+  m.columns              = {"method", "alpha"};
+  const SurvivalMap  map = make_map(e.results(), m);
+  const auto        &bars = map.lines[0];
+  EXPECT_EQ(bars.bounds, "tip ≤ 24.5 mm, energy_drift ≥ 0");
+  EXPECT_EQ(bars.source, "a book; another");
+  EXPECT_EQ(map.lines[1].bounds, "runs to its end");
+  // the metric, tip, does not show why the first failed; it does for the last
+  EXPECT_EQ(bars.cells[3].metric, "20 mm");
+  EXPECT_EQ(bars.cells[3].detail, "energy_drift -0.001");
+  EXPECT_EQ(bars.cells[8].metric, "25 mm");
+  EXPECT_EQ(bars.cells[8].detail, "");
+  const std::string svg = draw(map);
+  for (const char *words : {">bending<", "[1] a book; another", "survived: the run ends and keeps every bound",
+                            "failed: it ends early or breaks a bound", ">energy drift<"})
+    EXPECT_NE(svg.find(words), std::string::npos) << words;
+  EXPECT_EQ(svg.find("does not apply"), std::string::npos); // no such cell, so not in the legend
+  EXPECT_NE(markdown(map).find("| bending: bar | tip | tip ≤ 24.5 mm, energy_drift ≥ 0 |"), std::string::npos);
+}
+
+TEST(Maps, ARunThatEndsEarlySaysSo)
+{
+  Example e;
+  e.outcomes[0].status = Status::failed;
+  e.outcomes[1].status = Status::too_long;
+  MapSpec m;
+  m.cases     = {"bar"};
+  m.columns   = {"method", "alpha"};
+  const auto cells = make_map(e.results(), m).lines[0].cells;
+  EXPECT_EQ(cells[0].detail, "ended early");
+  EXPECT_EQ(cells[1].detail, "too long");
+  EXPECT_EQ(cells[2].detail, "");
+}
+
+// Ten lines of one group and one of another: the heads stand above both groups.
+TEST(Maps, HeadsStandAgainInALongPicture)
+{
+  SurvivalMap map;
+  map.columns = {{"this column"}};
+  const auto heads = [&] {
+    const std::string svg = draw(map);
+    std::size_t       n   = 0;
+    for (std::size_t at = svg.find(">this column<"); at != std::string::npos; at = svg.find(">this column<", at + 1))
+      ++n;
+    return n;
+  };
+  map.lines.assign(10, {"line", "", "early", "runs to its end", "", {SurvivalMap::Cell{}}});
+  EXPECT_EQ(heads(), 1u);
+  map.lines.push_back({"line", "", "late", "runs to its end", "", {SurvivalMap::Cell{}}});
+  EXPECT_EQ(heads(), 2u);
+}

@@ -60,6 +60,26 @@ TEST(Rows, TheMostParticularOverrideWins)
   EXPECT_EQ(texts(expand(s).rows[1]).back(), "SPH/h over dx=1.1");
 }
 
+TEST(Rows, ALevelLikeAnotherFollowsItInEveryCase)
+{
+  Study s                        = two_cases();
+  s.cases[0].axes[0].at["fem"]   = {"", parse_overrides("Bodies/bar/method=fem; end time=2 s", {})};
+  Level &bare                    = s.axes[0].levels.emplace_back();
+  bare.name = bare.title = "bare";
+  bare.like                      = "fem";
+  bare.overrides.items           = parse_overrides("FEM/hourglass coefficient=0; end time=3 s", {});
+  const Matrix m                 = expand(s);
+  EXPECT_EQ(m.rows[6].name, "bar+bare+0.5");
+  EXPECT_EQ(texts(m.rows[6]),
+            (Names{"Bodies/bar/method=fem", "FEM/hourglass coefficient=0", "end time=3 s", "SPH/alpha=0.5"}));
+
+  // what does not apply to the one does not to the other, unless the case says what to set
+  s.cases[0].axes[0].without_meaning["fem"] = "no mesh";
+  EXPECT_EQ(row_names(expand(s)), (Names{"bar+sph+0.5", "bar+sph+1", "bar+sph+2.5", "rod+0.5", "rod+1", "rod+2.5"}));
+  s.cases[0].axes[0].at["bare"] = {"", parse_overrides("Bodies/bar/method=fem", {})};
+  EXPECT_EQ(expand(s).rows.size(), 9u);
+}
+
 TEST(Rows, TwoAxesMayNotSetOneEntry)
 {
   Study s                             = two_cases();

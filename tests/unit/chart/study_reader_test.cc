@@ -75,10 +75,32 @@ TEST_F(StudyFile, IsRead)
   EXPECT_EQ(expand(s).rows[0].name, "bar+fem+1");
 }
 
+TEST_F(StudyFile, SaysWhatMapsShow)
+{
+  const Study s = read("  set quantities = contact_time, energy_drift\n",
+                       "  set group = waves\n  set quantities = contact_time, energy_drift\n"
+                       "  subsection Axes\n   subsection method\n"
+                       "    set does not apply at fem = no mesh\n   end\n  end\n");
+  EXPECT_EQ(s.cases[0].group, "waves");
+  const auto why = [&](std::size_t level) { return why_not(s.axes[0], s.cases[0].axes[0], s.axes[0].levels[level]); };
+  ASSERT_NE(why(0), nullptr);
+  EXPECT_EQ(*why(0), "no mesh");
+  EXPECT_EQ(why(1), nullptr);
+  EXPECT_EQ(expand(s).rows.size(), 2u); // both of particles
+  EXPECT_EQ(expand(s).skipped, 2u);
+  const Study sourced = read("set at most = 35 us", "set at most = 35 us\n    set bound source = a bar");
+  EXPECT_EQ(sourced.cases[0].quantities[0].bound_source, "a bar");
+  refuses("  set quantities = contact_time, energy_drift\n",
+          "  set quantities = contact_time, energy_drift\n"
+          "  subsection Axes\n   subsection method\n    set does not apply at fen = x\n   end\n  end\n",
+          {"s.prm:24", "does not apply at fem"});
+}
+
 TEST_F(StudyFile, SlipsAreAnswered)
 {
   refuses("set levels = fem, sph", "set levels = fem, sph, fem", {"s.prm:7", "\"fem\" is listed twice"});
   refuses("subsection .5", "subsection .55", {"s.prm:13", "unknown subsection"});
+  refuses("set only with = method=sph", "set like = 1", {"s.prm:14", "no level \"1\" before this one"});
   refuses("set only with = method=sph", "set only with = metod=sph", {"s.prm:14", "no axis \"metod\"", "\"method\""});
   refuses("set only with = method=sph", "set only with = method=shp", {"s.prm:14", "no level \"shp\"", "\"sph\""});
   refuses("set quantities = contact_time,", "set quantities = contact_tim,",
@@ -110,7 +132,8 @@ TEST_F(StudyFile, OverridesAreTriedOnTheScene)
 TEST_F(StudyFile, ReferenceTellsEveryEntry)
 {
   const std::string text = reference();
-  for (const char *word : {"row limit", "only with", "overrides at LEVEL", "error at most", "y scale", "Maps/MAP"})
+  for (const char *word : {"row limit", "only with", "overrides at LEVEL", "does not apply at LEVEL", "bound source",
+                           "error at most", "y scale", "Maps/MAP"})
     EXPECT_NE(text.find(word), std::string::npos) << word;
   EXPECT_EQ(text.find("| `AXIS` |"), std::string::npos); // an example, no default
 }

@@ -90,6 +90,32 @@ TEST(WaveFields, SawToothChangesFromParticleToParticle)
   EXPECT_EQ(at(wide, {4.75, 1.25, .25}), Vec3(-10, 0, 0));
 }
 
+TEST(WaveFields, StretchRunsApart)
+{
+  const Body b = box("stretch");
+  EXPECT_EQ(at(b, {5, 1.5, .2}), Vec3(10, 0, 0));
+  EXPECT_EQ(at(b, {3, 2.5, .9}), Vec3(0, 0, 0));
+  EXPECT_EQ(at(b, {2, 2.5, .9}), Vec3(-5, 0, 0));
+}
+
+TEST(WaveFields, DrawKeepsTheVolume)
+{
+  Body b = box("draw");
+  EXPECT_EQ(at(b, {5, 2, .5}), Vec3(10, 0, 0));
+  EXPECT_LT((at(b, {3, 3, 0}) - Vec3(0, -2.5, 1.25)).norm(), 1e-12); // half of 10/2 per metre along each
+  b.shape.lower[2] = b.shape.upper[2] = 0;                          // a plane
+  EXPECT_LT((at(b, {4, 1, 0}) - Vec3(5, 5, 0)).norm(), 1e-12);
+}
+
+// Nodes lie on the corners of cells, up to rounding to either side.
+TEST(WaveFields, SawToothChangesFromNodeToNode)
+{
+  const Body b = box("saw-tooth");
+  for (int k = 0; k <= 8; ++k)
+    for (const double rounding : {-1e-12, 1e-12})
+      EXPECT_EQ(at(b, {1 + .5 * k + rounding, 1, 0}).x(), k % 2 == 0 ? 10 : -10) << k;
+}
+
 std::string gas(const std::string &dimension, const std::string &body)
 {
   return "set dimension = " + dimension + "\nset end time = 1 ms\nset bodies = a\nset materials = gas\n" +
@@ -131,6 +157,22 @@ TEST(StartStates, AreReadAndReadBack)
   EXPECT_EQ(write_resolved(read_scene(write_file("resolved.prm", resolved))), resolved);
 }
 
+TEST(StartStates, DensityAndJitterAreReadAndReadBack)
+{
+  const std::string body = std::string(line) + "set start density = 1.9 kg/m^3\nset jitter = 0.25\n";
+  const Scene       s    = read_scene(write_file("a.prm", gas("uniaxial", body)));
+  EXPECT_EQ(s.bodies[0].start_density, 1.9);
+  EXPECT_EQ(s.bodies[0].jitter, .25);
+  EXPECT_TRUE(s.bodies[0].has_initial_state());
+  const std::string resolved = write_resolved(s);
+  EXPECT_EQ(write_resolved(read_scene(write_file("resolved.prm", resolved))), resolved);
+
+  std::string elements = gas("uniaxial", std::string(line) + "set velocity = 1 m/s\nset start density = 1.9 kg/m^3\n");
+  elements.replace(elements.find("method = sph"), 12, "method = fem");
+  EXPECT_NE(complaint(elements).find("for particles only"), std::string::npos);
+  EXPECT_NE(complaint(gas("uniaxial", body + "set jitter = 0.5\n")).find("jitter"), std::string::npos);
+}
+
 // A pressure is enough to set things going.
 TEST(StartStates, MoveThings)
 {
@@ -144,10 +186,8 @@ TEST(WaveFields, AreRefusedWhereTheyMeanNothing)
   EXPECT_EQ(complaint(gas("uniaxial", field + "closing\n")), "");
   EXPECT_NE(complaint(gas("uniaxial", field + "shear\n")).find("no shear in a uniaxial scene"),
             std::string::npos);
-  std::string elements = gas("uniaxial", field + "saw-tooth\n");
-  EXPECT_EQ(complaint(elements), "");
-  elements.replace(elements.find("method = sph"), 12, "method = fem");
-  EXPECT_NE(complaint(elements).find("from particle to particle"), std::string::npos);
+  EXPECT_NE(complaint(gas("uniaxial", field + "draw\n")).find("no sides to draw in"), std::string::npos);
+  EXPECT_EQ(complaint(gas("uniaxial", field + "saw-tooth\n")), "");
   const std::string ring =
       "set shape = box\nset lower = 0, 0 mm\nset upper = 9, 9 mm\nset field speed = 1 m/s\n"
       "set velocity field = converging\n";

@@ -116,6 +116,21 @@ TEST(StartedMaterial, StaysAsItStarts)
   EXPECT_NEAR(points.sound_speed[0], c, 1e-12);
 }
 
+// p = K (rho/rho0 - 1) with rho0 3: stretched by a sixth, and no heat in it.
+TEST(StartedMaterial, MayStartInTension)
+{
+  Parameters p       = fluid("linear");
+  p.density          = 3;
+  p.eos.bulk_modulus = 48;
+  EXPECT_NEAR(cold_pressure(p, 2.5), -8, 1e-13);
+  const StartedMaterial started(make_material(p), {{2.5, cold_pressure(p, 2.5)}});
+  Points                points;
+  points.resize(1);
+  started.initialise(points, 0, 1);
+  EXPECT_NEAR(points.sigma[1][0], 8, 1e-13);
+  EXPECT_EQ(points.energy[0], 0);
+}
+
 TEST(StartedMaterial, RefusesAPressureThatNoHeatMakes)
 {
   Parameters p       = fluid("linear");

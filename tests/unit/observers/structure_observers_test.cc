@@ -304,6 +304,22 @@ TEST(StructureObservers, SmallestDistanceOfTheRun)
   EXPECT_NEAR(w.value(), .4, 1e-12);
 }
 
+// The edges of two squares, 1 and 3 m long at the start, are stretched to 2 along x
+// and .5 along y; the diagonals are in between.
+TEST(StructureObservers, SmallestDistanceOfAMeshIsOfItsNodes)
+{
+  Watch  w("smallest_distance");
+  Sample s;
+  s.is_mesh        = true;
+  s.nodes_per_cell = 4;
+  for (const double size : {1., 3.})
+    for (const auto &[i, j] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}})
+      add(s, {i * size, j * size, 0}, {2 * i * size, .5 * j * size, 0}, 1, 0);
+  s.cells = {0, 1, 2, 3, 4, 5, 6, 7};
+  w.row(0, s);
+  EXPECT_NEAR(w.value(), .5, 1e-14);
+}
+
 // The right half of a mirrored lattice is pushed up by .03.
 TEST(StructureObservers, SymmetryErrorIsTheGreatestMismatch)
 {

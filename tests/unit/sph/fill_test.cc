@@ -50,32 +50,6 @@ TEST(Fill, BoxIsFilledExactly)
   EXPECT_NEAR(least, .5e-3, 1e-15); // the plane lies half way between two layers
 }
 
-TEST(Fill, JitterMovesParticlesByAShareOfTheSpacing)
-{
-  input::Scene scene;
-  input::Body  body;
-  body.shape.upper = Vec3(.03, .02, 0);
-  body.spacing     = 1e-3;
-  const auto even  = fill<2>(body, scene, 0, material(rho, 160e9, 80e9));
-  body.jitter      = .2;
-  const auto moved = fill<2>(body, scene, 0, material(rho, 160e9, 80e9));
-  EXPECT_EQ(moved.x, fill<2>(body, scene, 0, material(rho, 160e9, 80e9)).x);
-  EXPECT_EQ(moved.mass, even.mass);
-  double furthest = 0, mean = 0, square = 0;
-  for (std::size_t i = 0; i < even.x.size(); ++i)
-    for (int a = 0; a < 2; ++a)
-    {
-      const double d = moved.x[i][a] - even.x[i][a];
-      furthest = std::max(furthest, std::abs(d));
-      mean += d / (2 * even.x.size());
-      square += d * d / (2 * even.x.size());
-    }
-  EXPECT_LE(furthest, .2e-3);
-  // 1200 values, even from -.2 to .2 mm: root mean square .2/sqrt 3, three standard errors
-  EXPECT_NEAR(mean, 0, 3 * .2e-3 / std::sqrt(3. * 1200));
-  EXPECT_NEAR(std::sqrt(square), .2e-3 / std::sqrt(3.), .05 * .2e-3);
-}
-
 TEST(Fill, RoundBodiesHaveTheirExactMass)
 {
   const double pi = M_PI, r = .0071, l = .0163;
@@ -155,6 +129,34 @@ TEST(Fill, SpinKeepsTheCentreStill)
     EXPECT_LT((v - body.velocity - expected).norm(), 1e-12 * w.norm());
   }
   EXPECT_LT((mean - body.velocity).norm(), 1e-11);
+}
+
+TEST(Fill, JitterIsBoundedAndTheSameInEveryRun)
+{
+  input::Scene scene;
+  input::Body  body;
+  body.name        = "b";
+  body.shape.upper = Vec3(.01, .02, .005);
+  body.spacing     = 1e-3;
+  const auto even  = fill<3>(body, scene, 0, copper());
+  body.jitter      = .3;
+  const auto once = fill<3>(body, scene, 0, copper()), again = fill<3>(body, scene, 0, copper());
+  EXPECT_EQ(once.x, again.x);
+  EXPECT_EQ(once.mass, even.mass);
+  double most = 0, mean = 0, square = 0;
+  for (std::size_t i = 0; i < even.x.size(); ++i)
+    for (int a = 0; a < 3; ++a)
+    {
+      const double shift = (once.x[i][a] - even.x[i][a]) / body.spacing;
+      most               = std::max(most, std::abs(shift));
+      mean += shift / (3 * even.x.size());
+      square += shift * shift / (3 * even.x.size());
+    }
+  EXPECT_LE(most, .3);
+  // 3000 numbers spread evenly over +-.3: a mean square of .03, within four of their
+  // standard errors (.3/sqrt(3 3000) and .09 sqrt(4/45/3000))
+  EXPECT_NEAR(mean, 0, 4 * .3 / std::sqrt(9000.));
+  EXPECT_NEAR(square, .03, 4 * .09 * std::sqrt(4. / 45 / 3000));
 }
 
 TEST(Fill, RefusesWhatItCannotHold)
