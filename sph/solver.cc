@@ -31,6 +31,7 @@ void check(const input::SphOptions &o)
     throw InputError({"", 0, std::string("SPH/") + entry}, "unknown value \"" + value + "\"", "one of " + expected);
   };
   one_of("form", o.form, {"standard", "corrected"});
+  one_of("configuration", o.configuration, {"current", "reference"});
   one_of("density", o.density, {"continuity", "summation"});
   one_of("limiter", o.limiter, {"none", "linear"});
   one_of("switch", o.viscosity_switch, {"none", "balsara", "cullen-dehnen", "divergence-gradient"});
@@ -60,6 +61,7 @@ Solver<dim>::Implementation::Implementation(const Parameters &p, std::vector<Bod
 {
   const auto &o = p.options;
   check(o);
+  reference.on = o.configuration == "reference";
   require(p.boundaries.size() == p.boundary_bodies.size(), "one body per boundary");
   shares        = lattice_shares<dim>(o);
   with_viscosity<dim>(o.viscosity, [&](auto v) {
@@ -75,7 +77,7 @@ Solver<dim>::Implementation::Implementation(const Parameters &p, std::vector<Bod
     b.last     = n += f.x.size();
     b.spacing  = f.spacing;
     b.h        = o.h_over_dx * f.spacing;
-    b.skin     = skin_over_h * b.h;
+    b.skin     = reference.on ? 0. : skin_over_h * b.h;
     b.material = f.material;
     with_kernel(o.kernel, [&](auto k) {
       using Kernel   = decltype(k);
@@ -85,7 +87,7 @@ Solver<dim>::Implementation::Implementation(const Parameters &p, std::vector<Bod
     });
     b.sweeps = choose_sweeps<dim>({standard, f.material->parameters().damage.law != "none", o.kernel, o.viscosity,
                                    o.limiter != "none", o.correction, variable,
-                                   !correction || o.shock_split != "none"});
+                                   !correction || o.shock_split != "none", reference.on});
     if (!(o.artificial_stress > 0))
       b.sweeps.artificial_stress = b.sweeps.artificial_stress_power = nullptr;
     bodies.push_back(b);
@@ -129,6 +131,8 @@ Solver<dim>::Implementation::Implementation(const Parameters &p, std::vector<Bod
   mark_boundaries(filled);
   find_wall_axes();
   sort_particles();
+  if (reference.on)
+    begin_reference();
   touch_walls();
   rebuild_lists();
   const StepStatus status = advance_material(0);
