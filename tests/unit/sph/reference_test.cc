@@ -164,13 +164,14 @@ TEST(Reference, QuarterEqualsWhole)
   EXPECT_NEAR(4 * p.hourglass_sph, w.hourglass_sph, 1e-9 * w.elastic);
 }
 
-/// Half of a blow on its middle, the wall's friction and its motion in the books.
+/// Walls have no images there; what lands is in the books all the same.
 TEST(Reference, BlockReboundsFromAWall)
 {
   auto p = box<2>(Vec3::Zero(), spacing * Vec3(12, 10, 0), spacing, material(1000, 9e6, 3e6));
   for (auto &v : p.v)
-    v = {2, -8};
-  Parameters q = bare();
+    v = {.5, -3};
+  Parameters q;
+  q.options.configuration = "reference";
   q.walls.push_back({"floor", Vec3(0, -.2 * spacing, 0), Vec3::UnitY(), Vec3(0, .5, 0), .3});
   Solver<2>   solver(q, {p});
   Runner<2>   run{solver};
@@ -181,7 +182,7 @@ TEST(Reference, BlockReboundsFromAWall)
   for (int k = 0; k < 1500; ++k)
   {
     const StepStatus status = run.step();
-    ASSERT_TRUE(status.ok) << status.culprit.why << " " << status.culprit.id << " " << k << " " << run.time << " "<< status.culprit.where.transpose()/spacing;
+    ASSERT_TRUE(status.ok) << status.culprit.why;
   }
   const Balance end = solver.balance();
   EXPECT_NEAR(total(end), total(start), 1e-12 * total(start));
