@@ -32,7 +32,7 @@ struct ReferenceState
   bool                  on = false;
   AlignedVector<double> deformation;    ///< F = dx/dX, column by column
   AlignedVector<double> inverse_moment; ///< B0, column by column
-  AlignedVector<double> volume, density, modulus; ///< V0, m^dim; rho0; c of reference/sweeps.h, Pa
+  AlignedVector<double> volume, density, modulus; ///< V0, m^dim; rho0; c of reference/sweeps.h at first, Pa
   AlignedVector<double> wave_number;    ///< step_bound.h, of the lattice at rest, 1/m
   AlignedVector<double> stiffness;      ///< of the hourglass potential over mass, 1/s^2
   AlignedVector<double> records, slope, viscous_slope; ///< see Sweep
@@ -175,7 +175,7 @@ struct Solver<dim>::Implementation
   void set_reference();         ///< all that follows, on fresh lists
   void slopes_of(const Body &); ///< of its pairs
   bool deform(std::size_t i, double dt, Matrix &l, Matrix &b);
-  void pack_reference(std::size_t i, const Matrix &b);
+  void pack_reference(const Body &, std::size_t i, const Matrix &b);
   void reflect_reference();
 
   // viscous.cc

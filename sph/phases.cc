@@ -128,7 +128,7 @@ StepStatus Solver<dim>::Implementation::advance_material(double dt)
         broken += points.damage[i] >= 1;
         if (reference.on)
         {
-          pack_reference(i, corrected[i - begin]);
+          pack_reference(body, i, corrected[i - begin]);
           continue;
         }
         const Mat3   sigma  = points.stress(i).matrix();

@@ -45,7 +45,7 @@ void sph_fields(Fields &f, SphOptions &o)
   f.number({"hourglass", "coefficient of the hourglass control"}, o.hourglass, bounds::not_negative);
   f.number({"hourglass stiffness", "modulus of the elastic hourglass control over that of plane waves, in the reference "
                                    "configuration"},
-           o.hourglass_stiffness, Bound{0, 1});
+           o.hourglass_stiffness, Bound{0, .5});
   f.number({"step factor", "share of the stability bound"}, o.step_factor, bounds::positive_fraction);
 }
 

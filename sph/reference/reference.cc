@@ -18,10 +18,23 @@ namespace ogive::sph
 namespace
 {
 /// Share of its Gershgorin sum by which the hourglass potential raises the
-/// highest frequency squared. Fitted: blocks of 16 x 14, dense eigensolver,
-/// Poisson's ratio .37, h = 1, 1.3 and 1.6 spacings, jitter up to .2, hourglass
-/// stiffness 1: .34, .26, .02; with less stiffness the two share modes less.
-constexpr double unseen_share = .4;
+/// bound on the highest frequency squared. Fitted to when free blocks explode,
+/// h = 1 to 2 spacings, hourglass stiffness up to .5: in one dimension .57 at h =
+/// 1.3 and .5, less elsewhere.
+constexpr double unseen_share = .6;
+
+/// Secant modulus over that of elasticity, e_y/(e_y + e_p): e_p the plastic strain
+/// and e_y the elastic one of the mean flow stress so far, plastic work over
+/// plastic strain. The potential of material that flows fades with it, or the
+/// hourglass control would hold up what the stress no longer does.
+double secant_share(const materials::Points &points, std::size_t i, double shear_modulus)
+{
+  const double flow = points.plastic_strain[i];
+  if (!(flow > 0))
+    return 1;
+  const double elastic = points.density[i] * points.plastic_work[i] / (3 * shear_modulus * flow);
+  return elastic / (elastic + flow);
+}
 } // namespace
 
 template <int dim>
@@ -145,7 +158,7 @@ bool Solver<dim>::Implementation::deform(std::size_t i, double dt, Matrix &l, Ma
 }
 
 template <int dim>
-void Solver<dim>::Implementation::pack_reference(std::size_t i, const Matrix &b)
+void Solver<dim>::Implementation::pack_reference(const Body &body, std::size_t i, const Matrix &b)
 {
   using R            = ReferenceLayout<dim>;
   const auto  &points = store.points;
@@ -153,6 +166,7 @@ void Solver<dim>::Implementation::pack_reference(std::size_t i, const Matrix &b)
   double      *to     = &reference.records[i * R::stride];
   const Matrix f      = deformation(i);
   const Mat3   sigma = points.stress(i).matrix();
+  const double modulus = reference.modulus[i] * secant_share(points, i, body.material->shear_modulus());
   const Matrix p     = f.determinant() * sigma.template topLeftCorner<dim, dim>() * b.transpose();
   for (int a = 0; a < dim; ++a)
   {
@@ -162,7 +176,7 @@ void Solver<dim>::Implementation::pack_reference(std::size_t i, const Matrix &b)
     for (int c = 0; c < dim; ++c)
     {
       motion[L::p + a * dim + c] = p(a, c);
-      to[R::t + a * dim + c]     = p(a, c) - reference.modulus[i] * f(a, c);
+      to[R::t + a * dim + c]     = p(a, c) - modulus * f(a, c);
     }
   }
   std::copy(motion + L::rate, motion + L::rate + L::n_sym, to + R::rate);
@@ -170,16 +184,14 @@ void Solver<dim>::Implementation::pack_reference(std::size_t i, const Matrix &b)
   to[R::volume]      = reference.volume[i];
   to[R::density]     = store.swept_density[i];
   to[R::sound]       = sound;
-  to[R::modulus]     = reference.modulus[i];
+  to[R::modulus]     = modulus;
 
-  // The lattice at rest, with spacings as they are now, stiffened by the stress
-  // that turns with the pairs, and the hourglass potential.
+  // The lattice at rest with the spacings of now, and the hourglass potential.
   Eigen::SelfAdjointEigenSolver<Matrix> stretch;
   stretch.computeDirect(f.transpose() * f, Eigen::EigenvaluesOnly);
   const double closer = 1 / std::sqrt(std::max(stretch.eigenvalues()[0], 1e-12));
   const double c2     = sound * sound;
-  const double stress = sigma.norm() / points.density[i];
-  const double w2     = closer * closer * reference.wave_number[i] * reference.wave_number[i] * (c2 + stress) +
+  const double w2     = closer * closer * reference.wave_number[i] * reference.wave_number[i] * c2 +
                     reference.stiffness[i] / (shares.frequency * shares.frequency);
   wave_number[i]      = c2 > 0 ? std::sqrt(w2 / c2) : 0.;
 }
@@ -213,7 +225,7 @@ void Solver<dim>::Implementation::reflect_reference()
   template void Solver<d>::Implementation::slopes_of(const Body &);                                          \
   template void Solver<d>::Implementation::set_reference();                                                  \
   template bool Solver<d>::Implementation::deform(std::size_t, double, Matrix &, Matrix &);                  \
-  template void Solver<d>::Implementation::pack_reference(std::size_t, const Matrix &);                      \
+  template void Solver<d>::Implementation::pack_reference(const Body &, std::size_t, const Matrix &);        \
   template void Solver<d>::Implementation::reflect_reference();
 OGIVE_INSTANTIATE(1)
 OGIVE_INSTANTIATE(2)
