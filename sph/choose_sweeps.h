@@ -8,6 +8,7 @@
 #include "sph/energy.h"
 #include "sph/force.h"
 #include "sph/gradient.h"
+#include "sph/reference/layout.h"
 #include "sph/viscosity/viscosities.h"
 #include "sph/viscosity/viscous_sweep.h"
 
@@ -42,8 +43,9 @@ void choose_correction(const SweepChoice &c, SweepFunctions &f)
   else if (c.correction != "none")
     throw InputError({"", 0, "SPH/correction"}, "unknown correction \"" + c.correction + "\"",
                      "none, pairwise or shepard");
-  if (c.correction == "pairwise" && c.variable)
-    f.correction_power = &correction_power_sweep<dim, Kernel>;
+  if (c.correction == "pairwise" && (c.variable || c.reference))
+    f.correction_power =
+      c.variable ? &correction_power_sweep<dim, Kernel, true> : &correction_power_sweep<dim, Kernel, false>;
 }
 
 template <int dim, class Kernel, class Viscosity>
@@ -73,6 +75,8 @@ SweepFunctions sweeps_of(const SweepChoice &c)
   choose_form<dim, Kernel>(c, f);
   choose_correction<dim, Kernel>(c, f);
   with_viscosity<dim>(c.viscosity, [&](auto v) { choose_viscosity<dim, Kernel, decltype(v)>(c, f); });
+  if (c.reference)
+    choose_reference<dim>(c, f);
   return f;
 }
 } // namespace detail

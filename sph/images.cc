@@ -37,7 +37,7 @@ void Solver<dim>::Implementation::find_wall_axes()
   const auto &walls = parameters.walls;
   require(walls.size() < 63, "no more than 62 rigid walls");
   wall_axis.assign(walls.size(), -1);
-  for (std::size_t w = 0; w < walls.size(); ++w)
+  for (std::size_t w = 0; w < walls.size() && !reference.on; ++w)
     for (int a = 0; a < dim; ++a)
       if (std::abs(walls[w].normal[a]) > 1 - 1e-14)
         wall_axis[w] = a;

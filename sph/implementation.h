@@ -28,11 +28,26 @@ struct Works
   std::vector<double> pull{};
 };
 
+/// What the reference configuration keeps; empty in the current one. But for
+/// the deformation all of it follows from the first state.
+struct ReferenceState
+{
+  bool                  on = false;
+  AlignedVector<double> deformation;    ///< F = dx/dX, column by column
+  AlignedVector<double> inverse_moment; ///< B0, column by column
+  AlignedVector<double> volume, density, modulus; ///< V0, m^dim; rho0; c of reference/sweeps.h at first, Pa
+  AlignedVector<double> wave_number;    ///< step_bound.h, of the lattice at rest, 1/m
+  AlignedVector<double> stiffness;      ///< of the hourglass potential over mass, 1/s^2
+  AlignedVector<double> records, slope, viscous_slope; ///< see Sweep
+  std::size_t           fallbacks = 0;  ///< particles with B0 = I
+};
+
 /// Inside the solver. solver.cc: the public face; phases.cc: the phases of a
 /// step; viscous.cc, correct.cc, support.cc: forces, the correction and its
 /// support; motion.cc: kick, boundaries, drift; lists.cc: rebuild and records;
 /// images.cc: images behind rigid walls; surface.cc: what contact sees;
-/// state.cc: snapshots and checkpoints; axis.cc: axial symmetry.
+/// reference/reference.cc: the reference configuration; axis.cc: axial symmetry;
+/// state.cc: snapshots and checkpoints.
 template <int dim>
 struct Solver<dim>::Implementation
 {
@@ -66,6 +81,7 @@ struct Solver<dim>::Implementation
   std::size_t       viscous_stride = 0; ///< of its records
   std::vector<Body> bodies;
   Store<dim>        store;
+  ReferenceState    reference;
 
   // Follow from the store.
   Ghosts                     ghosts;
@@ -164,6 +180,15 @@ struct Solver<dim>::Implementation
     return mass_sums[i * padded(1)] + store.mass[i] * b.centre_value;
   }
 
+  // reference/reference.cc
+  void check_reference() const; ///< InputError for what it cannot hold
+  void begin_reference();       ///< from the first state
+  void set_reference();         ///< all that follows, on fresh lists
+  void slopes_of(const Body &); ///< of its pairs
+  bool deform(std::size_t i, double dt, Matrix &l, Matrix &b);
+  void pack_reference(const Body &, std::size_t i, const Matrix &b);
+  void reflect_reference();
+
   // viscous.cc
   void              forces();
   ViscousPoint<dim> viscous_point(const Body &, std::size_t i) const;
@@ -217,6 +242,11 @@ struct Solver<dim>::Implementation
   void read(const ArchiveReader &, const std::string &prefix);
 
   Culprit culprit(std::size_t i, const char *why) const;
+  /// F of the reference configuration.
+  Matrix deformation(std::size_t i) const
+  {
+    return Eigen::Map<const Matrix>(&reference.deformation[i * dim * dim]);
+  }
   /// Moment matrix -sum V_j gradW (x) x_ij of the last gradient sweep.
   Matrix moment(std::size_t i) const
   {
@@ -229,6 +259,9 @@ struct Solver<dim>::Implementation
   }
   /// Mass per volume of the space of the sweeps: kg/m^dim.
   double plane_density(std::size_t i) const { return ring(i) * store.swept_density[i]; }
-  double weight(std::size_t i) const { return standard ? store.mass[i] : store.mass[i] / plane_density(i); }
+  double weight(std::size_t i) const
+  {
+    return reference.on ? reference.volume[i] : standard ? store.mass[i] : store.mass[i] / plane_density(i);
+  }
 };
 } // namespace ogive::sph

@@ -8,6 +8,8 @@ namespace ogive::sph
 template <int dim>
 bool Solver<dim>::Implementation::lists_are_stale() const
 {
+  if (reference.on)
+    return false;
   for (const auto &b : bodies)
   {
     // A body's translation parts no pair, except from its mirror image.
@@ -129,6 +131,8 @@ void Solver<dim>::Implementation::rebuild_lists()
   for (const auto &m : images)
     diagnostics.pairs += m.pairs.rows.pairs;
   ++diagnostics.rebuilds;
+  if (reference.on)
+    set_reference();
 }
 
 template <int dim>
@@ -166,16 +170,18 @@ template <int dim>
 void Solver<dim>::Implementation::pack_motion()
 {
   find_active();
+  const auto &x       = reference.on ? store.x0 : store.x;
+  const auto &density = reference.on ? reference.density : store.swept_density;
   for (std::size_t i = 0; i < store.size(); ++i)
   {
     double *r = &force_records[i * L::force_stride];
     for (int a = 0; a < dim; ++a)
     {
-      r[L::x + a] = store.x[a][i];
+      r[L::x + a] = x[a][i];
       r[L::v + a] = store.v[a][i];
     }
     r[L::weight]  = weight(i);
-    r[L::density] = plane_density(i);
+    r[L::density] = ring(i) * density[i];
   }
   reflect_motion();
 }
@@ -232,6 +238,10 @@ Sweep Solver<dim>::Implementation::sweep_of(const Body &b, Pairs &p, double *sum
   s.viscous_records    = viscous_records.data();
   s.sensor_records     = sensor_records.data();
   s.stress_records     = stress_records.data();
+  s.reference_records  = reference.records.data();
+  s.deformation        = reference.deformation.data();
+  s.pair_slope         = reference.slope.data();
+  s.pair_viscous_slope = reference.viscous_slope.data();
   s.pair_hourglass     = p.hourglass.data();
   s.viscosity_step     = !p.viscosity.empty();
   s.weak_step          = !p.weak.empty();

@@ -64,7 +64,10 @@ template <int dim>
 StepStatus Solver<dim>::Implementation::advance_material(double dt)
 {
   pack_motion();
-  sweep_all(&SweepFunctions::gradient, gradient_sums, L::gradient_stride, L::n_gradient);
+  if (reference.on)
+    sweep_all(&SweepFunctions::reference_gradient, gradient_sums, L::gradient_stride, 0);
+  else
+    sweep_all(&SweepFunctions::gradient, gradient_sums, L::gradient_stride, L::n_gradient);
   if (summation)
     sum_masses();
   auto       &points = store.points;
@@ -84,7 +87,12 @@ StepStatus Solver<dim>::Implementation::advance_material(double dt)
           for (int b = 0; b < dim; ++b)
             l(a, b) = sums[L::g_sum + a * dim + b];
         corrected[k].setIdentity();
-        if (!standard)
+        if (reference.on)
+        {
+          if (!deform(i, dt, l, corrected[k]))
+            return {false, culprit(i, "its lattice is turned inside out")};
+        }
+        else if (!standard)
         {
           fallbacks += !corrector<dim>(moment(i), corrected[k]);
           l = (l * corrected[k]).eval();
@@ -104,8 +112,9 @@ StepStatus Solver<dim>::Implementation::advance_material(double dt)
           for (int a = 0; a < dim; ++a)
             store.half_cell[a][i] *= (2 + block.strain[a][k]) / (2 - block.strain[a][k]);
           block.density[k] = summation ? store.density_scale[i] * mass_sum(body, i) :
-                             standard  ? rho * (1 - dt * hoop) + dt * sums[L::continuity_sum] / ring(i) :
-                                         rho * (1 - dt * hoop) * (Matrix::Identity() - dt * l).determinant();
+                             standard     ? rho * (1 - dt * hoop) + dt * sums[L::continuity_sum] / ring(i) :
+                             reference.on ? reference.density[i] / deformation(i).determinant() :
+                                            rho * (1 - dt * hoop) * (Matrix::Identity() - dt * l).determinant();
         }
       }
       if (dt > 0)
@@ -118,6 +127,14 @@ StepStatus Solver<dim>::Implementation::advance_material(double dt)
       for (std::size_t i = begin; i < end; ++i)
       {
         double      *record = &force_records[i * L::force_stride];
+        record[L::sound]  = points.sound_speed[i];
+        record[L::damage] = points.damage[i];
+        broken += points.damage[i] >= 1;
+        if (reference.on)
+        {
+          pack_reference(body, i, corrected[i - begin]);
+          continue;
+        }
         const Mat3   sigma  = points.stress(i).matrix();
         Matrix  p      = ring(i) * axis_share(body, i) * sigma.template topLeftCorner<dim, dim>() * corrected[i - begin];
         if (standard)
@@ -125,15 +142,14 @@ StepStatus Solver<dim>::Implementation::advance_material(double dt)
         for (int a = 0; a < dim; ++a)
           for (int b = 0; b < dim; ++b)
             record[L::p + a * dim + b] = p(a, b);
-        record[L::sound]  = points.sound_speed[i];
-        record[L::damage] = points.damage[i];
-        broken += points.damage[i] >= 1;
       }
     }
-  diagnostics.fallbacks = fallbacks;
+  diagnostics.fallbacks = fallbacks + reference.fallbacks;
   surface_stale |= broken != failed;
   failed = broken;
   reflect_forces();
+  if (reference.on)
+    reflect_reference();
   return {};
 }
 

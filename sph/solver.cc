@@ -31,6 +31,7 @@ void check(const input::SphOptions &o)
     throw InputError({"", 0, std::string("SPH/") + entry}, "unknown value \"" + value + "\"", "one of " + expected);
   };
   one_of("form", o.form, {"standard", "corrected"});
+  one_of("configuration", o.configuration, {"current", "reference"});
   one_of("density", o.density, {"continuity", "summation"});
   one_of("limiter", o.limiter, {"none", "linear"});
   one_of("switch", o.viscosity_switch, {"none", "balsara", "cullen-dehnen", "divergence-gradient"});
@@ -66,6 +67,7 @@ Solver<dim>::Implementation::Implementation(const Parameters &p, std::vector<Bod
 {
   const auto &o = parameters.options;
   check(o);
+  reference.on = o.configuration == "reference";
   require(p.boundaries.size() == p.boundary_bodies.size(), "one body per boundary");
   shares        = lattice_shares<dim>(o);
   if (p.axisymmetric)
@@ -74,6 +76,9 @@ Solver<dim>::Implementation::Implementation(const Parameters &p, std::vector<Bod
     if (summation)
       throw InputError({"", 0, "SPH/density"}, "the sum over masses is blind to the distance from the axis",
                        "continuity in an axisymmetric scene");
+    if (reference.on)
+      throw InputError({"", 0, "SPH/configuration"}, "rings have no reference configuration yet",
+                       "current in an axisymmetric scene");
     parameters.symmetry.push_back({0}); // mirror images beyond the axis
     axis_factor.emplace(o.kernel);
   }
@@ -90,7 +95,7 @@ Solver<dim>::Implementation::Implementation(const Parameters &p, std::vector<Bod
     b.last     = n += f.x.size();
     b.spacing  = f.spacing;
     b.h        = o.h_over_dx * f.spacing;
-    b.skin     = skin_over_h * b.h;
+    b.skin     = reference.on ? 0. : skin_over_h * b.h;
     b.material = f.material;
     with_kernel(o.kernel, [&](auto k) {
       using Kernel   = decltype(k);
@@ -100,7 +105,7 @@ Solver<dim>::Implementation::Implementation(const Parameters &p, std::vector<Bod
     });
     b.sweeps = choose_sweeps<dim>({standard, f.material->parameters().damage.law != "none", o.kernel, o.viscosity,
                                    o.limiter != "none", o.correction, variable,
-                                   !correction || o.shock_split != "none"});
+                                   !correction || o.shock_split != "none", reference.on});
     if (!(o.artificial_stress > 0))
       b.sweeps.artificial_stress = b.sweeps.artificial_stress_power = nullptr;
     bodies.push_back(b);
@@ -147,6 +152,8 @@ Solver<dim>::Implementation::Implementation(const Parameters &p, std::vector<Bod
   mark_boundaries(filled);
   find_wall_axes();
   sort_particles();
+  if (reference.on)
+    begin_reference();
   touch_walls();
   rebuild_lists();
   const StepStatus status = advance_material(0);

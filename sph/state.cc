@@ -23,7 +23,7 @@ void Solver<dim>::Implementation::keep()
 {
   if (!kept)
     kept = std::make_unique<State>();
-  *kept = {store, near_surface, works, time, time_listed, wall_forces, updates, topology, diagnostics.rebuilds};
+  *kept = {store, reference.deformation, near_surface, works, time, time_listed, wall_forces, updates, topology, diagnostics.rebuilds};
 }
 
 template <int dim>
@@ -32,6 +32,7 @@ void Solver<dim>::Implementation::go_back()
   require(kept != nullptr, "restore without a snapshot");
   const bool lists = diagnostics.rebuilds != kept->rebuilds;
   store            = kept->store;
+  reference.deformation = kept->deformation;
   near_surface     = kept->near_surface;
   works            = kept->works;
   time             = kept->time;
@@ -50,6 +51,9 @@ void Solver<dim>::Implementation::write(ArchiveWriter &out, const std::string &p
   store.for_each_array([&](const std::string &name, const auto &a) {
     out.write(prefix + "/" + name, std::span<const double>(a.data(), a.size()));
   });
+  const auto &f = reference.deformation;
+  if (reference.on)
+    out.write(prefix + "/deformation", std::span<const double>(f.data(), f.size()));
   out.write(prefix + "/id", std::span<const std::int64_t>(store.id));
   out.write(prefix + "/fixed", std::span<const std::int64_t>(store.fixed));
   out.write(prefix + "/near_surface", std::span<const std::int64_t>(near_surface));
@@ -80,6 +84,12 @@ void Solver<dim>::Implementation::read(const ArchiveReader &in, const std::strin
     fit(name, from.size(), a.size());
     a.assign(from.begin(), from.end());
   });
+  if (reference.on)
+  {
+    const auto from = in.doubles(prefix + "/deformation");
+    fit("deformation", from.size(), reference.deformation.size());
+    reference.deformation.assign(from.begin(), from.end());
+  }
   integers("id", store.id);
   integers("fixed", store.fixed);
   integers("touch", store.touch);

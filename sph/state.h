@@ -10,6 +10,7 @@ template <int dim>
 struct Solver<dim>::Implementation::State
 {
   Store<dim>                store;
+  AlignedVector<double>     deformation;
   std::vector<std::int64_t> near_surface;
   Works                     works;
   double                    time = 0, time_listed = 0;

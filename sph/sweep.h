@@ -109,6 +109,10 @@ struct Sweep
   const double        *stress_records     = nullptr;
   const double        *correction_records = nullptr;
   const double        *energy_records     = nullptr;
+  const double        *reference_records  = nullptr; ///< of the reference configuration (reference/), like the next three
+  const double        *deformation        = nullptr; ///< F of the owned particles, column by column
+  const double        *pair_slope         = nullptr; ///< g0 of each directed pair, gradW0 = X_ij g0
+  const double        *pair_viscous_slope = nullptr; ///< g0 R^2/(rho0_i + rho0_j), see viscous_sweep.h
   double              *sums               = nullptr; ///< one record of sums a particle
   /// Kept from the force sweeps to the energy sweep, one number a directed pair
   /// and component, components n_entries apart: central force over x_ij of the
@@ -131,6 +135,7 @@ struct SweepFunctions
 {
   using Function = void (*)(const Sweep &);
   Function gradient = nullptr;
+  Function reference_gradient = nullptr; ///< after the first gradient of the reference configuration
   Function density  = nullptr; ///< sums of m W
   Function sensor   = nullptr;
   Function force    = nullptr; ///< stress and hourglass control
@@ -156,6 +161,7 @@ struct SweepChoice
   std::string correction = "none"; ///< "none", "pairwise", "shepard"
   bool        variable   = false;  ///< support of the correction
   bool        direct     = true;   ///< some of the viscosity acts as it is
+  bool        reference  = false;  ///< configuration
 };
 
 /// Instantiated for dim 1, 2, 3; InputError for an unknown name.

@@ -36,7 +36,9 @@ ViscousPoint<dim> Solver<dim>::Implementation::viscous_point(const Body &b, std:
   if (sensed)
     for (int a = 0; a < dim; ++a)
       p.divergence_gradient[a] = sensor_sums[i * SensorLayout<dim>::sums_stride + SensorLayout<dim>::slope + a];
-  p.density = force_records[i * L::force_stride + L::density];
+  if (reference.on) // the slope is that of the lattice
+    p.divergence_gradient = (deformation(i).inverse().transpose() * p.divergence_gradient).eval();
+  p.density = store.swept_density[i];
   p.sound   = store.points.sound_speed[i];
   p.hoop    = hoop_rate(i);
   p.h       = b.h;
@@ -132,7 +134,11 @@ void Solver<dim>::Implementation::pack_viscosity()
         const auto    p      = viscous_point(b, i);
         const double *motion = &force_records[i * L::force_stride];
         double       *r      = &viscous_records[i * viscous_stride];
-        std::copy(motion, motion + 2 * dim, r);
+        for (int a = 0; a < dim; ++a)
+        {
+          r[V::x + a] = store.x[a][i];
+          r[V::v + a] = store.v[a][i];
+        }
         r[V::mass]     = store.mass[i];
         r[V::density]  = p.density;
         r[V::sound]    = p.sound;
@@ -148,8 +154,11 @@ void Solver<dim>::Implementation::pack_viscosity()
       double       *to   = image_record(viscous_records, viscous_stride, g);
       const auto   &s    = ghosts.sign[g];
       std::copy(from, from + viscous_stride, to);
-      const double *motion = &force_records[(n + g) * L::force_stride];
-      std::copy(motion, motion + 2 * dim, to);
+      for (int a = 0; a < dim; ++a)
+      {
+        to[V::x + a] = s[a] * from[V::x + a] + shift(g, a, time);
+        to[V::v + a] = s[a] * from[V::v + a] + shift_rate(g, a);
+      }
       to[V::mass] *= share(g);
       for (int a = 0; a < dim; ++a)
         for (int c = 0; c < dim; ++c)

@@ -8,6 +8,9 @@ namespace
 void sph_fields(Fields &f, SphOptions &o)
 {
   f.choice({"form", "discrete form of the equations"}, o.form, {"standard", "corrected"});
+  f.choice({"configuration", "neighbours, kernel and volumes of the present, or of t = 0 (no numerical fracture; nothing "
+                             "may break)"},
+           o.configuration, {"current", "reference"});
   f.choice({"kernel", "smoothing kernel"}, o.kernel, {"cubic", "quintic", "wendland-c2", "wendland-c4"});
   f.number({"h over dx", "smoothing length over particle spacing"}, o.h_over_dx, Bound{.8, 2.5});
   f.choice({"density", "density from the velocity gradient, or from the masses around relative to t = 0"}, o.density,
@@ -41,6 +44,9 @@ void sph_fields(Fields &f, SphOptions &o)
   f.number({"artificial stress", "coefficient against the tensile instability; 0: none"}, o.artificial_stress,
            bounds::not_negative);
   f.number({"hourglass", "coefficient of the hourglass control"}, o.hourglass, bounds::not_negative);
+  f.number({"hourglass stiffness", "modulus of the elastic hourglass control over that of plane waves, in the reference "
+                                   "configuration"},
+           o.hourglass_stiffness, Bound{0, .5});
   f.number({"step factor", "share of the stability bound; above 1 only to see a run blow up"}, o.step_factor,
            Bound{0, 2, true});
 }

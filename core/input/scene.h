@@ -168,6 +168,7 @@ struct Observer
 struct SphOptions
 {
   std::string form       = "corrected"; ///< "standard", "corrected"
+  std::string configuration = "current"; ///< "current", "reference": where neighbours and kernel are those of t = 0
   std::string kernel     = "cubic";     ///< "cubic", "quintic", "wendland-c2", "wendland-c4"
   double      h_over_dx  = 1.3;
   std::string density    = "continuity"; ///< "continuity", "summation"
@@ -185,6 +186,7 @@ struct SphOptions
   std::string energy_form = "compatible"; ///< "compatible"; "working", "averaged" (shepard)
   double      artificial_stress = 0;    ///< epsilon of Gray, Monaghan and Swift
   double      hourglass  = .2;          ///< coefficient z of numerics.md section 2
+  double      hourglass_stiffness = .2; ///< its modulus over that of plane waves, in the reference configuration
   double      step_factor = .7;         ///< share of the stability bound
 
   /// With what "auto" stands for. A correction takes the viscosity of shocks too,

@@ -51,13 +51,13 @@ template <int dim, class Kernel, bool shepard, bool variable>
 }
 
 /// Heating by the corrected pair forces, -K_ij (da_i - da_j).v_ij, added to the
-/// viscous power. Of the pairwise form, variable support; energy_sweep does the
-/// fixed one on its way.
-template <int dim, class Kernel>
+/// viscous power. Of the pairwise form; energy_sweep does the fixed support of
+/// the current configuration on its way.
+template <int dim, class Kernel, bool variable>
 [[gnu::flatten]] void correction_power_sweep(const Sweep &s)
 {
   using L      = Layout<dim>;
-  using Weight = CorrectionWeight<dim, Kernel, false, true>;
+  using Weight = CorrectionWeight<dim, Kernel, false, variable>;
   const Weight weight(s);
   for (std::size_t i = s.begin; i < s.end; ++i)
   {

@@ -2,12 +2,34 @@
 #pragma once
 
 #include "sph/kernels/kernels.h"
+#include "sph/reference/layout.h"
 #include "sph/sweep.h"
 #include "sph/viscosity/limiter.h"
 #include "sph/viscosity/pair.h"
 
+#include <type_traits>
+
 namespace ogive::sph
 {
+/// A kernel that moves with the material: gradW = F^-T gradW0/J with the pair's
+/// own stretch for F, g = g0 (R/r)^2 rho/rho0. In a uniform swelling it is the
+/// kernel with h swollen.
+template <int dim>
+struct KernelAt<KeptSlope, dim>
+{
+  double tiny;
+
+  explicit KernelAt(double h)
+    : tiny(1e-24 * h * h)
+  {}
+  template <class T>
+  T inverse_distance(const T &r2) const
+  {
+    using std::sqrt;
+    return 1. / sqrt(r2 + tiny);
+  }
+};
+
 /// Viscous pair forces in two parts, F = psi Pi(v_ij) + (1 - psi) Pi(limited
 /// jump), psi the larger shock share of the two ends. The second part is weak
 /// viscosity: it goes to the correction (Sweep::keep_weak 0) or acts as it is
@@ -64,8 +86,12 @@ template <int dim, class Kernel, class Viscosity, bool limited>
       else
         pair.limited = stdx::min(pair.vx, VDouble(0.));
 
-      const VDouble r     = pair.r2 * pair.inv_r;
-      const VDouble scale = -(own[L::mass] * j[L::mass]) * kernel.slope(r, pair.inv_r);
+      VDouble slope;
+      if constexpr (std::is_same_v<Kernel, KeptSlope>)
+        slope = VDouble(s.pair_viscous_slope + p, stdx::vector_aligned) * pair.rho2 * (pair.inv_r * pair.inv_r);
+      else
+        slope = kernel.slope(VDouble(pair.r2 * pair.inv_r), pair.inv_r);
+      const VDouble scale = -(own[L::mass] * j[L::mass]) * slope;
       const VDouble pull  = scale * (.5 * (own[L::strength] + j[L::strength]));
       const VDouble shock = stdx::max(VDouble(own[L::split]), j[L::split]);
       const auto    terms = viscosity(pair, own + law, j + law);

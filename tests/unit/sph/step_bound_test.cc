@@ -42,7 +42,7 @@ TEST(StepBound, RootSolvesTheCondition)
 /// A free chain at tiny amplitude, no dissipation: noise stays at .9 and 1.0 of the bound and
 /// explodes at 1.1. 10^4 steps.
 template <int dim>
-double growth(double share, const Vec3 &upper, int steps)
+double growth(double share, const Vec3 &upper, int steps, const char *configuration = "current", double stiffness = 0)
 {
   auto p = box<dim>(Vec3::Zero(), spacing * upper, spacing, copper());
   std::mt19937                           random(9);
@@ -55,6 +55,8 @@ double growth(double share, const Vec3 &upper, int steps)
   q.options.hourglass   = 0;
   q.options.correction  = "none";
   q.options.step_factor = 1;
+  q.options.configuration       = configuration;
+  q.options.hourglass_stiffness = stiffness;
   Solver<dim>  solver(q, {p});
   const double dt     = share * solver.stable_dt().dt;
   const double before = solver.balance().kinetic;
@@ -80,6 +82,73 @@ TEST(StepBound, HoldsAtOneAndFailsAtElevenTenths)
   // Free blocks: corners and edges are what is stiffest.
   EXPECT_LT(growth<2>(1., Vec3(14, 12, 0), 2000), 20);
   EXPECT_LT(growth<3>(1., Vec3(7, 6, 5), 2000), 20);
+}
+
+/// The same in the reference configuration, with as much hourglass stiffness as
+/// may be asked for.
+TEST(StepBound, HoldsOnTheReferenceLattice)
+{
+  const Vec3 chain(60, 0, 0);
+  EXPECT_LT(growth<1>(1., chain, 10000, "reference"), 20);
+  EXPECT_GT(growth<1>(1.1, chain, 10000, "reference"), 1e6);
+  for (const double stiffness : {.2, .5})
+  {
+    EXPECT_LT(growth<1>(1., chain, 10000, "reference", stiffness), 20);
+    EXPECT_LT(growth<2>(1., Vec3(14, 12, 0), 2000, "reference", stiffness), 20);
+    EXPECT_LT(growth<3>(1., Vec3(7, 6, 5), 2000, "reference", stiffness), 20);
+  }
+}
+
+/// Pressed to half its size the lattice waits for half its steps. Its rim held,
+/// the rest hardly stirs at .9 of the bound and explodes at twice the step.
+TEST(StepBound, FollowsTheStretchOfTheReferenceLattice)
+{
+  const auto moved = [](double share) {
+    const auto p = box<2>(Vec3::Zero(), spacing * Vec3(14, 14, 0), spacing, material(1000, 9e6, 3e6));
+    Parameters q;
+    q.options.configuration = "reference";
+    q.options.correction    = "none";
+    q.options.alpha = q.options.beta = q.options.hourglass = 0;
+    q.options.step_factor                                  = 1;
+    Solver<2>                 solver(q, {p});
+    Runner<2>                 run{solver};
+    std::vector<std::int64_t> all, rim;
+    for (std::int64_t i = 0; i < std::ssize(p.x); ++i)
+    {
+      all.push_back(i);
+      const double from_middle = std::max(std::abs(p.x[i][0] / spacing - 7), std::abs(p.x[i][1] / spacing - 7));
+      if (from_middle > 4)
+        rim.push_back(i);
+    }
+    const double rest = solver.stable_dt().dt, dt = .2 * rest;
+    solver.set_slaves(all);
+    std::array<std::vector<double>, 2> v{std::vector<double>(all.size()), std::vector<double>(all.size())};
+    for (int k = 0; k <= 100; ++k) // a last step at rest
+    {
+      for (std::size_t i = 0; i < all.size(); ++i)
+        for (int a = 0; a < 2; ++a)
+          v[a][i] = k < 100 ? -.5 * p.x[i][a] / (100 * dt) : 0.;
+      solver.drive_slaves({v[0], v[1]});
+      EXPECT_TRUE(run.step(dt).ok);
+    }
+    const double bound = solver.stable_dt().dt;
+    EXPECT_LT(bound, .65 * rest); // the hourglass potential does not change
+    solver.set_slaves(rim);
+    const std::vector<double> still(rim.size(), 0.);
+    double                    first = 0, most = 0;
+    for (int k = 0; k < 600; ++k)
+    {
+      solver.drive_slaves({still, still});
+      if (!run.step(share * bound).ok)
+        return 1e300;
+      most = std::max(most, solver.balance().kinetic);
+      if (k < 20)
+        first = most;
+    }
+    return most / first;
+  };
+  EXPECT_LT(moved(.9), 20);
+  EXPECT_GT(moved(2), 1e6);
 }
 
 TEST(StepBound, NamesTheStiffestParticle)
