@@ -36,9 +36,18 @@ struct Side
   }
 };
 
+/// With blanks that do not break lines beside the signs.
+std::string kept_together(std::string text)
+{
+  for (const std::string sign : {"≤", "≥"})
+    for (std::size_t at = text.find(" " + sign + " "); at != std::string::npos; at = text.find(" " + sign + " ", at))
+      text.replace(at, sign.size() + 2, "\u00a0" + sign + "\u00a0");
+  return text;
+}
+
 Side side_of(const SurvivalMap::Line &l, std::size_t note)
 {
-  std::string text = l.bounds + (note > 0 ? " [" + std::to_string(note) + "]" : "");
+  std::string text = kept_together(l.bounds) + (note > 0 ? "\u00a0[" + std::to_string(note) + "]" : "");
   if (!l.metric.empty() && l.bounds.find(l.metric) == std::string::npos)
     text = "shown: " + l.metric + "; " + text;
   return {wrapped(l.title, side_width), wrapped(text, bounds_width)};
