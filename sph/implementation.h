@@ -42,8 +42,8 @@ struct ReferenceState
 /// Inside the solver. solver.cc: the public face; phases.cc: the phases of a
 /// step; viscous.cc, correct.cc, support.cc: forces, the correction and its
 /// support; motion.cc: kick, boundaries, drift; lists.cc: rebuild and records;
-/// images.cc: images behind rigid walls; surface.cc: what contact sees;
 /// reference/reference.cc: the reference configuration;
+/// images.cc: images behind rigid walls; surface.cc: what contact sees;
 /// state.cc: snapshots and checkpoints.
 template <int dim>
 struct Solver<dim>::Implementation
@@ -173,6 +173,7 @@ struct Solver<dim>::Implementation
   void check_reference() const; ///< InputError for what it cannot hold
   void begin_reference();       ///< from the first state
   void set_reference();         ///< all that follows, on fresh lists
+  void pack_lattice();          ///< X, V0 and rho0 into the force records
   void slopes_of(const Body &); ///< of its pairs
   bool deform(std::size_t i, double dt, Matrix &l, Matrix &b);
   void pack_reference(const Body &, std::size_t i, const Matrix &b);
@@ -236,6 +237,6 @@ struct Solver<dim>::Implementation
         m(a, b) = sums[L::sym(a, b)];
     return m;
   }
-  double  weight(std::size_t i) const { return reference.on ? reference.volume[i] : standard ? store.mass[i] : store.mass[i] / store.swept_density[i]; }
+  double  weight(std::size_t i) const { return standard ? store.mass[i] : store.mass[i] / store.swept_density[i]; }
 };
 } // namespace ogive::sph
