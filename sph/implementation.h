@@ -184,6 +184,7 @@ struct Solver<dim>::Implementation
   void check_reference() const; ///< InputError for what it cannot hold
   void begin_reference();       ///< from the first state
   void set_reference();         ///< all that follows, on fresh lists
+  void pack_lattice();          ///< X, V0 and rho0 into the force records
   void slopes_of(const Body &); ///< of its pairs
   bool deform(std::size_t i, double dt, Matrix &l, Matrix &b);
   void pack_reference(const Body &, std::size_t i, const Matrix &b);
@@ -259,9 +260,6 @@ struct Solver<dim>::Implementation
   }
   /// Mass per volume of the space of the sweeps: kg/m^dim.
   double plane_density(std::size_t i) const { return ring(i) * store.swept_density[i]; }
-  double weight(std::size_t i) const
-  {
-    return reference.on ? reference.volume[i] : standard ? store.mass[i] : store.mass[i] / plane_density(i);
-  }
+  double weight(std::size_t i) const { return standard ? store.mass[i] : store.mass[i] / plane_density(i); }
 };
 } // namespace ogive::sph

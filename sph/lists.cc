@@ -170,19 +170,19 @@ template <int dim>
 void Solver<dim>::Implementation::pack_motion()
 {
   find_active();
-  const auto &x       = reference.on ? store.x0 : store.x;
-  const auto &density = reference.on ? reference.density : store.swept_density;
   for (std::size_t i = 0; i < store.size(); ++i)
   {
     double *r = &force_records[i * L::force_stride];
     for (int a = 0; a < dim; ++a)
     {
-      r[L::x + a] = x[a][i];
+      r[L::x + a] = store.x[a][i];
       r[L::v + a] = store.v[a][i];
     }
     r[L::weight]  = weight(i);
-    r[L::density] = ring(i) * density[i];
+    r[L::density] = plane_density(i);
   }
+  if (reference.on)
+    pack_lattice();
   reflect_motion();
 }
 

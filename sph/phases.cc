@@ -112,14 +112,15 @@ StepStatus Solver<dim>::Implementation::advance_material(double dt)
           for (int a = 0; a < dim; ++a)
             store.half_cell[a][i] *= (2 + block.strain[a][k]) / (2 - block.strain[a][k]);
           block.density[k] = summation ? store.density_scale[i] * mass_sum(body, i) :
-                             standard     ? rho * (1 - dt * hoop) + dt * sums[L::continuity_sum] / ring(i) :
-                             reference.on ? reference.density[i] / deformation(i).determinant() :
-                                            rho * (1 - dt * hoop) * (Matrix::Identity() - dt * l).determinant();
+                             standard  ? rho * (1 - dt * hoop) + dt * sums[L::continuity_sum] / ring(i) :
+                                         rho * (1 - dt * hoop) * (Matrix::Identity() - dt * l).determinant();
         }
       }
       if (dt > 0)
       {
         std::size_t bad = 0;
+        for (std::size_t i = begin; reference.on && i < end; ++i)
+          block.density[i - begin] = reference.density[i] / deformation(i).determinant();
         const auto  status = body.material->update(points, begin, end, block.increments(dt), bad);
         if (status != materials::Status::ok)
           return {false, culprit(bad, materials::describe(status))};
@@ -157,6 +158,8 @@ template <int dim>
 void Solver<dim>::Implementation::energy(double kick)
 {
   const std::size_t n = store.size();
+  for (std::size_t i = 0; reference.on && i < n; ++i)
+    energy_records[i * L::energy_stride + L::weight] = reference.volume[i];
   for (std::size_t g = 0; g < ghosts.size(); ++g)
   {
     const double *from = &energy_records[ghosts.parent[g] * L::energy_stride];

@@ -38,7 +38,7 @@ ViscousPoint<dim> Solver<dim>::Implementation::viscous_point(const Body &b, std:
       p.divergence_gradient[a] = sensor_sums[i * SensorLayout<dim>::sums_stride + SensorLayout<dim>::slope + a];
   if (reference.on) // the slope is that of the lattice
     p.divergence_gradient = (deformation(i).inverse().transpose() * p.divergence_gradient).eval();
-  p.density = store.swept_density[i];
+  p.density = reference.on ? store.swept_density[i] : force_records[i * L::force_stride + L::density];
   p.sound   = store.points.sound_speed[i];
   p.hoop    = hoop_rate(i);
   p.h       = b.h;

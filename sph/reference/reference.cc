@@ -116,6 +116,19 @@ void Solver<dim>::Implementation::slopes_of(const Body &b)
 }
 
 template <int dim>
+void Solver<dim>::Implementation::pack_lattice()
+{
+  for (std::size_t i = 0; i < store.size(); ++i)
+  {
+    double *r = &force_records[i * L::force_stride];
+    for (int a = 0; a < dim; ++a)
+      r[L::x + a] = store.x0[a][i];
+    r[L::weight]  = reference.volume[i];
+    r[L::density] = reference.density[i];
+  }
+}
+
+template <int dim>
 void Solver<dim>::Implementation::set_reference()
 {
   auto &r = reference;
@@ -223,6 +236,7 @@ void Solver<dim>::Implementation::reflect_reference()
   template void Solver<d>::Implementation::check_reference() const;                                          \
   template void Solver<d>::Implementation::begin_reference();                                                \
   template void Solver<d>::Implementation::slopes_of(const Body &);                                          \
+  template void Solver<d>::Implementation::pack_lattice();                                                   \
   template void Solver<d>::Implementation::set_reference();                                                  \
   template bool Solver<d>::Implementation::deform(std::size_t, double, Matrix &, Matrix &);                  \
   template void Solver<d>::Implementation::pack_reference(const Body &, std::size_t, const Matrix &);        \
