@@ -123,7 +123,6 @@ template <int dim>
 void Solver<dim>::Implementation::pack_viscosity()
 {
   const auto       &o = parameters.options;
-  const std::size_t n = store.size();
   with_viscosity<dim>(o.viscosity, [&](auto law) {
     using Law          = decltype(law);
     constexpr int rate = V::extra + Law::n_fields;

@@ -35,11 +35,12 @@ input::Scene free_impact()
 
 // Split half-way into particles and elements, the bar is still a bar: contact
 // for 2 L/c_L and rebound at the speed of arrival (St Venant), within the 2 %
-// that the tied interface is held to.
+// that the tied interface is held to. The step wave is a front to the viscosity
+// of the particles: at .5 mm that alone takes 2.4 % of the rebound.
 TEST(SplitBar, ContactTimeReboundAndBooks)
 {
   auto         scene = steel_scene(input::Dimension::uniaxial);
-  const double length = .1, v0 = 12, dx = .5e-3;
+  const double length = .1, v0 = 12, dx = .25e-3;
   add_box(scene, "zone", input::Method::sph, {0, 0, 0}, {.5 * length, 0, 0}, dx, {-v0, 0, 0});
   add_box(scene, "rest", input::Method::fem, {.5 * length, 0, 0}, {length, 0, 0}, dx, {-v0, 0, 0});
   scene.interfaces.push_back({"seam", "tied", "zone", "rest"});
