@@ -56,13 +56,27 @@ TEST(Ledger, ColumnsAreDistinctAndMatchTheValues)
   const auto                  names = LedgerRow::columns();
   const std::set<std::string> distinct(names.begin(), names.end());
   LedgerRow                   row;
-  row.kinetic          = 1;
-  row.external_impulse = Vec3(0, 0, 9);
+  row.kinetic            = 1;
+  row.gradient_fallbacks = 9;
   EXPECT_EQ(distinct.size(), names.size());
   ASSERT_EQ(row.values().size(), names.size());
   EXPECT_EQ(names.front(), "kinetic [J]");
   EXPECT_EQ(row.values().front(), 1);
   EXPECT_EQ(row.values().back(), 9);
+}
+
+TEST(Ledger, RemembersTheMostFallbacks)
+{
+  Ledger  ledger;
+  Balance particles = some_balance(1);
+  for (const double count : {2., 7., 3.})
+  {
+    particles.gradient_fallbacks = count;
+    LedgerRow row                = ledger_row({}, particles, {});
+    ledger.enter(row);
+    EXPECT_EQ(row.gradient_fallbacks, count);
+  }
+  EXPECT_EQ(ledger.most_fallbacks(), 7);
 }
 
 // Work done on the bodies is not drift; what is missing beyond it is.
