@@ -58,6 +58,9 @@ public:
     for (const InitialOverlap &o : model_.initial_overlaps())
       log_.warn("contact \"" + o.contact + "\": " + std::to_string(o.count) + " points overlap at the start, by up to " +
                 engineering(o.worst) + " m; their gap counts as zero until it opens");
+    if (const double bare = model_.ledger().gradient_fallbacks; bare > 0)
+      log_.warn(std::to_string(static_cast<int>(bare)) + " particles begin without a corrected gradient: a body, or a " +
+                "part of one, is a single particle thick there; its elastic energy is not to be trusted. Take a smaller spacing");
     history_due_.due(clock_);
     fields_due_.due(clock_);
     checkpoint_due_.due(clock_);

@@ -21,6 +21,8 @@ BodyParticles<dim> fill(const input::Body &body, const input::Scene &scene, int 
   out.body     = body_index;
   out.spacing  = lattice.spacing;
   out.shape    = body.shape;
+  for (int a = 0; a < dim; ++a)
+    out.cell[a] = lattice.cell[a];
   double shares = 0; // of equal volumes, or of rings of equal section
   for (const auto &x : lattice.points)
     shares += turned ? x[0] : 1.;

@@ -69,12 +69,13 @@ double Solver<dim>::Implementation::gap(std::size_t w, double x, double at) cons
 template <int dim>
 double Solver<dim>::Implementation::rest_gap(const Body &b, std::size_t i, std::size_t w) const
 {
-  if (!parameters.axisymmetric)
-    return .5 * b.spacing;
-  double height2 = 0;
+  double whole2 = 0, now2 = 0;
   for (int a = 0; a < dim; ++a)
-    height2 += std::pow(store.half_cell[a][i] * parameters.walls[w].normal[a], 2);
-  return std::min(.5 * b.spacing, std::sqrt(height2));
+  {
+    whole2 += std::pow(b.half_cell[a] * parameters.walls[w].normal[a], 2);
+    now2 += std::pow(store.half_cell[a][i] * parameters.walls[w].normal[a], 2);
+  }
+  return std::sqrt(parameters.axisymmetric ? std::min(whole2, now2) : whole2);
 }
 
 template <int dim>
@@ -85,6 +86,26 @@ bool Solver<dim>::Implementation::is_near(const Body &b, std::size_t w,
   for (std::size_t i = b.first; i < b.last; ++i)
     least = std::min(least, gap(w, x[wall_axis[w]][i], at));
   return least < b.spacing;
+}
+
+template <int dim>
+void Solver<dim>::Implementation::begin_on_walls()
+{
+  for (const auto &b : bodies)
+    for (std::size_t w = 0; w < parameters.walls.size(); ++w)
+      for (std::size_t i = b.first; i < b.last; ++i)
+      {
+        const auto &wall     = parameters.walls[w];
+        double      distance = 0;
+        for (int a = 0; a < dim; ++a)
+          distance += wall.normal[a] * (store.x[a][i] - wall.point[a]);
+        const double rest = rest_gap(b, i, w);
+        // Rounding is left alone: bodies that are laid on a wall are there.
+        if (distance > rest * (1 - 1e-9))
+          continue;
+        for (int a = 0; a < dim; ++a)
+          store.x[a][i] = store.x0[a][i] = store.x[a][i] + (rest - distance) * wall.normal[a];
+      }
 }
 
 template <int dim>
@@ -288,6 +309,7 @@ void Solver<dim>::Implementation::book_images(double kick)
   template double Solver<d>::Implementation::rest_gap(const Body &, std::size_t, std::size_t) const;         \
   template bool   Solver<d>::Implementation::is_near(const Body &, std::size_t,                              \
                                                      const PerAxis<AlignedVector<double>> &, double) const;  \
+  template void   Solver<d>::Implementation::begin_on_walls();                                               \
   template void   Solver<d>::Implementation::touch_walls();                                                  \
   template void   Solver<d>::Implementation::find_active();                                                  \
   template void   Solver<d>::Implementation::append_images(Images &);                                        \

@@ -64,6 +64,7 @@ struct Solver<dim>::Implementation
     int                                        scene = 0; ///< index into Scene::bodies
     std::size_t                                first = 0, last = 0;
     double                                     spacing = 0, h = 0, skin = 0;
+    PerAxis<double>                            half_cell{}; ///< at the start, m
     std::shared_ptr<const materials::Material> material;
     SweepFunctions                             sweeps;
     double                                     list_radius = 0;
@@ -138,7 +139,7 @@ struct Solver<dim>::Implementation
   // images.cc
   void   find_wall_axes();
   double gap(std::size_t w, double x, double at) const; ///< from wall w to coordinate x at a time, m
-  /// Distance at which particle i lies on wall w, m: half a spacing. Of rings
+  /// Distance at which particle i lies on wall w, m: half of its cell at the start. Of rings
   /// half the height of their cell across the wall, if that is less, so that
   /// layers that are squeezed flat lie flat on it; without the hold of the hoop,
   /// in space or a plane, such layers run out as a film (the foot of the copper
@@ -146,6 +147,7 @@ struct Solver<dim>::Implementation
   double rest_gap(const Body &, std::size_t i, std::size_t w) const;
   /// Whether a particle is closer to wall w than a spacing.
   bool   is_near(const Body &, std::size_t w, const PerAxis<AlignedVector<double>> &x, double at) const;
+  void   begin_on_walls(); ///< moves what begins within its rest gap to it: jittered particles
   void   touch_walls(); ///< from x, v, time and the stress of the step before
   void   find_active();
   void   append_images(Images &);

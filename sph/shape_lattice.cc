@@ -76,6 +76,7 @@ ShapeLattice box(const Shape &shape, double spacing, int dim, bool turned,
     cell *= step[a];
   }
   out.spacing = std::pow(cell, 1. / dim);
+  out.cell    = step;
   for (int k = 0; k < n[2]; ++k)
     for (int j = 0; j < n[1]; ++j)
       for (int i = 0; i < n[0]; ++i)
@@ -200,18 +201,26 @@ ShapeLattice round_body(const Shape &shape, double spacing, int dim, bool turned
   const double body_length = round.axial ? round.shape.length - round.low : 2 * shape.radius;
   const int    n_body      = std::max(1, static_cast<int>(std::lround(body_length / spacing)));
   const double step        = round.axial ? body_length / n_body : spacing;
-  const int    m           = static_cast<int>(std::ceil(shape.radius / spacing)) + 1;
   const bool   flat        = dim == 2 && !round.axial;
+  const bool   line        = dim == 2 && round.axial;
+  // A section fits its radius, or its wall, exactly.
+  const double bore    = line ? shape.inner_radius : 0.;
+  const int    n_wall  = std::max(1, static_cast<int>(std::lround((shape.radius - bore) / spacing)));
+  const double across  = line ? (shape.radius - bore) / n_wall : spacing;
+  const int    m       = line ? n_wall : static_cast<int>(std::ceil(shape.radius / spacing)) + 1;
   const int    first_s     = round.axial ? 0 : flat ? 0 : -m;
   const int    last_s      = round.axial ? static_cast<int>(std::ceil((round.high - round.low) / step)) : flat ? 1 : m;
-  const bool   line        = dim == 2 && round.axial;
-  out.spacing = dim == 3 ? std::cbrt(spacing * spacing * step) : std::sqrt(spacing * (flat ? spacing : step));
+  out.spacing = dim == 3 ? std::cbrt(spacing * spacing * step) : std::sqrt(across * (flat ? spacing : step));
+  for (int a = 0; a < 3; ++a) // exact along the axes, the mean where the body lies askew
+    out.cell[a] = round.axial ? std::hypot(round.along[a] * step, (Vec3::Unit(a) - round.along[a] * round.along).norm() * across) :
+                                spacing;
   for (int k = first_s; k < last_s; ++k)
     for (int j = -m; j < m; ++j)
       for (int i = line ? 0 : -m; i < (line ? 1 : m); ++i)
       {
         const double s = flat ? 0. : round.low + (k + .5) * step - (round.axial ? 0. : round.low);
-        const double u = (j + .5) * spacing, w = line ? 0. : (i + .5) * spacing;
+        const double u = j < 0 ? (j + .5) * across - bore : (j + .5) * across + bore;
+        const double w = line ? 0. : (i + .5) * spacing;
         if (!round.inside(s, std::hypot(u, w)))
           continue;
         const Vec3 x    = shape.base + s * round.along + u * round.across[0] + w * round.across[1];

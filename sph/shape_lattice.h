@@ -15,6 +15,7 @@ struct ShapeLattice
   std::vector<Vec3>   points;
   double              volume  = 0; ///< exact, of the clipped shape: m^3, m^2 in 2-D, m in 1-D; of the whole ring, m^3
   double              spacing = 0; ///< (volume of a lattice cell)^(1/dim)
+  Vec3                cell = Vec3::Zero(); ///< distances of the layers across each axis, m
   std::array<bool, 3> halved{};    ///< planes that pass through the shape
 };
 

@@ -94,6 +94,8 @@ Solver<dim>::Implementation::Implementation(const Parameters &p, std::vector<Bod
     b.first    = n;
     b.last     = n += f.x.size();
     b.spacing  = f.spacing;
+    for (int a = 0; a < dim; ++a)
+      b.half_cell[a] = .5 * (f.cell[a] > 0 ? f.cell[a] : f.spacing);
     b.h        = o.h_over_dx * f.spacing;
     b.skin     = reference.on ? 0. : skin_over_h * b.h;
     b.material = f.material;
@@ -140,7 +142,7 @@ Solver<dim>::Implementation::Implementation(const Parameters &p, std::vector<Bod
       {
         store.x[a][i] = store.x0[a][i] = filled[k].x[i - b.first][a];
         store.v[a][i]                  = filled[k].v[i - b.first][a];
-        store.half_cell[a][i]          = .5 * b.spacing;
+        store.half_cell[a][i]          = b.half_cell[a];
       }
       store.mass[i] = filled[k].mass[i - b.first];
       store.id[i]   = static_cast<std::int64_t>(i);
@@ -152,6 +154,7 @@ Solver<dim>::Implementation::Implementation(const Parameters &p, std::vector<Bod
   mark_boundaries(filled);
   find_wall_axes();
   sort_particles();
+  begin_on_walls();
   if (reference.on)
     begin_reference();
   touch_walls();

@@ -26,6 +26,7 @@ struct BodyParticles
   int                                     body = 0;      ///< index into Scene::bodies
   std::shared_ptr<const materials::Material> material;
   double                                  spacing = 0;   ///< m
+  std::array<double, dim>                 cell{};        ///< distances of the layers across each axis, m; 0: spacing
   std::vector<std::array<double, dim>>    x, v;          ///< m, m/s
   std::vector<double>                     mass;          ///< kg
   /// For the faces of round bodies; boxes take their faces from the particles.

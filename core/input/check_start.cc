@@ -28,12 +28,21 @@ std::vector<Vec3> section(const BoundingBox &box, int axis, int dim)
 
 void check_field(const Scene &s, const Body &b, const Listing &listing)
 {
-  const WaveField *field = find_wave_field(b.velocity_field);
-  if (!field)
-    return;
   const std::string path   = "Bodies/" + b.name;
   const auto        refuse = [&](const char *entry, const std::string &wrong, const std::string &expected)
   { throw InputError(listing.where(path, entry), wrong, expected); };
+  const std::string &name = b.velocity_field;
+  if (name.starts_with("radial-inverse") && (b.shape.kind == ShapeKind::box || b.shape.kind == ShapeKind::mesh))
+    refuse("velocity field", "the field \"" + name + "\" flows about the middle of a round body",
+           "a round shape, such as \"ring\" or \"shell\"");
+  if (name == "twist" && s.dimension != Dimension::three_d)
+    refuse("velocity field", "nothing twists in a scene of dimension " + describe(s.dimension), "dimension 3d");
+  if ((name == "bend" || name == "bending-mode") && s.dimension == Dimension::axisymmetric)
+    refuse("velocity field", "x is the radius: the field \"" + name + "\" has no meaning there",
+           "dimension plane-strain or 3d");
+  const WaveField *field = find_wave_field(name);
+  if (!field)
+    return;
   const bool box = b.shape.kind == ShapeKind::box;
   if (b.velocity_field == "converging" ? b.shape.kind == ShapeKind::mesh : !box)
     refuse("velocity field", "the field \"" + b.velocity_field + "\" has no meaning for this shape",

@@ -159,6 +159,38 @@ TEST(Fill, JitterIsBoundedAndTheSameInEveryRun)
   EXPECT_NEAR(square, .03, 4 * .09 * std::sqrt(4. / 45 / 3000));
 }
 
+/// A section of rings fits its radius and its bore whatever the spacing, and its
+/// cells know their sides.
+TEST(Fill, SectionsFitTheirWall)
+{
+  input::Scene scene;
+  scene.dimension = input::Dimension::axisymmetric;
+  input::Body body;
+  body.name         = "tube";
+  body.spacing      = 1e-3;
+  body.shape.kind   = input::ShapeKind::ring;
+  body.shape.axis   = Vec3::UnitY();
+  body.shape.radius = 5.3e-3;
+  body.shape.length = 4.6e-3;
+  for (const double bore : {0., 2.7e-3})
+  {
+    body.shape.inner_radius = bore;
+    body.shape.kind         = bore > 0 ? input::ShapeKind::ring : input::ShapeKind::cylinder;
+    const auto p = fill<2>(body, scene, 0, copper());
+    double     least = 1, most = 0, total = 0;
+    for (std::size_t i = 0; i < p.x.size(); ++i)
+    {
+      least = std::min(least, p.x[i][0]);
+      most  = std::max(most, p.x[i][0]);
+      total += p.mass[i];
+    }
+    EXPECT_NEAR(most + .5 * p.cell[0], 5.3e-3, 1e-15);
+    EXPECT_NEAR(least - .5 * p.cell[0], bore, 1e-15);
+    EXPECT_NEAR(p.cell[1], 4.6e-3 / 5, 1e-15);
+    EXPECT_NEAR(total / (8930 * M_PI * (5.3e-3 * 5.3e-3 - bore * bore) * 4.6e-3), 1, 1e-12);
+  }
+}
+
 TEST(Fill, RefusesWhatItCannotHold)
 {
   input::Shape s;
