@@ -136,7 +136,7 @@ TEST(WrongScenes, OfLowerDimensions)
     {"uniaxial", line + "set spin = 3 1/s\n", "Bodies/a/spin", "out of its space", ""},
     {"uniaxial", replaced(line, "3 m/s", "3, 1, 0 m/s"), "Bodies/a/velocity", "out of the space", ""},
     {"plane-strain", rod, "Bodies/a/shape", "no meaning", ""},
-    {"axisymmetric", bar + "set velocity field = twist\nset field speed = 9 1/s\n", "Bodies/a/velocity field", "twists", ""},
+    {"axisymmetric", bar + "set velocity field = twist\nset field speed = 9 m/s\n", "Bodies/a/velocity field", "twists", ""},
     {"axisymmetric", bar + "set velocity field = bend\nset field speed = 9 m/s\n", "Bodies/a/velocity field",
      "x is the radius", ""},
     {"plane-strain", bar + "set velocity field = radial-inverse\nset field speed = 9 m/s\n",
