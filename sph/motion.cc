@@ -4,7 +4,6 @@
 #include "sph/implementation.h"
 
 #include <algorithm>
-#include <algorithm>
 #include <cmath>
 #include <limits>
 

@@ -28,12 +28,8 @@ BodyParticles<2> rings(const Vec3 &lower, const Vec3 &upper, std::shared_ptr<con
   body.spacing     = spacing;
   body.shape.lower = spacing * lower;
   body.shape.upper = spacing * upper;
-  auto                                   p = fill<2>(body, scene, 0, m);
-  std::mt19937                           random(seed);
-  std::uniform_real_distribution<double> shift(-jitter * spacing, jitter * spacing);
-  for (auto &x : p.x)
-    for (auto &c : x)
-      c += shift(random);
+  auto p           = fill<2>(body, scene, 0, m);
+  shake(p, spacing, jitter, seed);
   return p;
 }
 

@@ -162,33 +162,6 @@ TEST(Reference, HourglassStiffnessHasNoTorque)
   EXPECT_GT(hourglass, 1e-3 * start.kinetic); // it was at work
 }
 
-/// A symmetry plane is the other half of the lattice.
-TEST(Reference, QuarterEqualsWhole)
-{
-  const auto particles = [](const std::vector<input::SymmetryPlane> &planes) {
-    const double l = 10 * spacing, w = 8 * spacing;
-    auto         p = box<2>(Vec3(-l, -w, 0), Vec3(l, w, 0), spacing, copper(), 0, 1, planes);
-    for (std::size_t i = 0; i < p.x.size(); ++i)
-      p.v[i] = {-3000 * p.x[i][0], 2000 * p.x[i][1] * (1 + 1e4 * p.x[i][0] * p.x[i][0])};
-    return p;
-  };
-  Parameters quarter, all;
-  quarter.options.configuration = all.options.configuration = "reference";
-  quarter.symmetry                                          = {{0}, {1}};
-  Solver<2> part(quarter, {particles(quarter.symmetry)}), whole(all, {particles({})});
-  Runner<2> run_part{part}, run_whole{whole};
-  for (int k = 0; k < 100; ++k)
-  {
-    ASSERT_TRUE(run_part.step(1e-7).ok);
-    ASSERT_TRUE(run_whole.step(1e-7).ok);
-  }
-  const Balance p = part.balance(), w = whole.balance();
-  EXPECT_NEAR(4 * p.kinetic, w.kinetic, 1e-10 * w.kinetic);
-  EXPECT_NEAR(4 * p.elastic, w.elastic, 1e-9 * w.elastic);
-  EXPECT_NEAR(4 * p.viscosity_heat, w.viscosity_heat, 1e-9 * w.viscosity_heat);
-  EXPECT_NEAR(4 * p.hourglass_sph, w.hourglass_sph, 1e-9 * w.elastic);
-}
-
 /// Walls have no images there; what lands is in the books all the same.
 TEST(Reference, BlockReboundsFromAWall)
 {

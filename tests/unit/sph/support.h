@@ -39,6 +39,17 @@ inline std::shared_ptr<const materials::Material> copper()
   return material(8930, 130e9, 48e9);
 }
 
+/// Moves particles by up to `jitter` spacings along each axis (seeded).
+template <int dim>
+void shake(BodyParticles<dim> &p, double spacing, double jitter, unsigned seed)
+{
+  std::mt19937                           random(seed);
+  std::uniform_real_distribution<double> shift(-jitter * spacing, jitter * spacing);
+  for (auto &x : p.x)
+    for (auto &c : x)
+      c += shift(random);
+}
+
 /// A box of particles, jittered by `jitter` spacings (seeded), at rest.
 template <int dim>
 BodyParticles<dim> box(const Vec3 &lower, const Vec3 &upper, double spacing,
@@ -52,12 +63,8 @@ BodyParticles<dim> box(const Vec3 &lower, const Vec3 &upper, double spacing,
   body.spacing     = spacing;
   body.shape.lower = lower;
   body.shape.upper = upper;
-  auto                                   p = fill<dim>(body, scene, 0, m);
-  std::mt19937                           random(seed);
-  std::uniform_real_distribution<double> shift(-jitter * spacing, jitter * spacing);
-  for (auto &x : p.x)
-    for (auto &c : x)
-      c += shift(random);
+  auto p           = fill<dim>(body, scene, 0, m);
+  shake(p, spacing, jitter, seed);
   return p;
 }
 
