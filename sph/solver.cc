@@ -76,9 +76,6 @@ Solver<dim>::Implementation::Implementation(const Parameters &p, std::vector<Bod
     if (summation)
       throw InputError({"", 0, "SPH/density"}, "the sum over masses is blind to the distance from the axis",
                        "continuity in an axisymmetric scene");
-    if (reference.on)
-      throw InputError({"", 0, "SPH/configuration"}, "rings have no reference configuration yet",
-                       "current in an axisymmetric scene");
     parameters.symmetry.push_back({0}); // mirror images beyond the axis
     axis_factor.emplace(o.kernel);
   }

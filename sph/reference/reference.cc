@@ -45,6 +45,9 @@ void Solver<dim>::Implementation::check_reference() const
     throw InputError({"", 0, "SPH/" + entry}, "\"" + value + "\" does not go with configuration = reference", use,
                      "configuration = current");
   };
+  if (parameters.axisymmetric)
+    throw InputError({"", 0, "SPH/configuration"}, "rings have no reference configuration",
+                     "current in an axisymmetric scene");
   if (o.form != "corrected")
     clashes("form", o.form, "corrected");
   if (o.density != "continuity")

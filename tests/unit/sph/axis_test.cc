@@ -247,11 +247,13 @@ TEST(Axisymmetric, StepBoundHolds)
   }
 }
 
-TEST(Axisymmetric, RefusesDensityBySummation)
+TEST(Axisymmetric, RefusesWhatKnowsNoAxis)
 {
-  Parameters q;
-  q.axisymmetric    = true;
-  q.options.density = "summation";
-  EXPECT_THROW(Solver<2>(q, {ringing()}), InputError);
+  Parameters summed, reference;
+  summed.axisymmetric = reference.axisymmetric = true;
+  summed.options.density                       = "summation";
+  reference.options.configuration              = "reference";
+  EXPECT_THROW(Solver<2>(summed, {ringing()}), InputError);
+  EXPECT_THROW(Solver<2>(reference, {ringing()}), InputError);
 }
 } // namespace
