@@ -6,6 +6,7 @@
 #include "fem/elements/line2.h"
 #include "fem/elements/quad4.h"
 #include "fem/elements/quad4_axisymmetric.h"
+#include "fem/viscosity/neumann_richtmyer.h"
 
 #include <algorithm>
 
@@ -226,12 +227,12 @@ void OnePointGroup<Element>::stress(std::size_t pack, const Shape &shape, const 
   const VDouble density = load(&points_.density[e]), c = load(&points_.sound_speed[e]);
 
   const VDouble rate   = stdx::min(motion.trace, VDouble(0.)) * (-1. / dt);
-  const VDouble linear = options_.bulk_linear * c, square = options_.bulk_quadratic * length * rate;
-  const VDouble q      = density * length * rate * (square + linear);
+  const auto    bulk =
+    NeumannRichtmyer{options_.bulk_quadratic, options_.bulk_linear}(density, c, length, rate);
+  const VDouble q = bulk.pressure;
   store(q, &viscous_pressure_[e]);
   store(-.5 * q * motion.trace * shape.volume, &half_viscous_[e]);
-  // A node may be compressed next without warning: the linear part always counts.
-  VDouble damping = shape.volume * density * length * (2. * square + linear) * weight.divergence;
+  VDouble damping = shape.volume * bulk.damping * weight.divergence;
 
   const double  shear     = shear_modulus_;
   const VDouble stiffness = density * c * c - 2. * shear;
