@@ -52,7 +52,7 @@ void Solver<dim>::Implementation::build(std::vector<BodyMesh<dim>> meshes)
         nodes.v[i][node]                     = mesh.v[i].at(a);
       }
     }
-    groups.push_back(make_one_point_group(mesh, {first_node[b], parts[b].first_element}, parameters.options));
+    groups.push_back(make_element_group<dim>(mesh, {first_node[b], parts[b].first_element}, parameters.options));
     groups.back()->lump_mass(nodes);
     groups.back()->initialise(nodes);
     parts[b].sum = CornerSum<dim>(parts[b].first_node, parts[b].last_node, *groups.back());
