@@ -4,6 +4,7 @@
 #include "fem/elements/quad4.h"
 #include "fem/elements/quad4_axisymmetric.h"
 #include "fem/one_point_group.h"
+#include "fem/viscosity/neumann_richtmyer.h"
 
 #include <algorithm>
 
@@ -16,7 +17,8 @@ void OnePointGroup<Element>::tangent(const Nodes<dim> &nodes, const std::array<A
 {
   stiff.resize(corner_force_.size());
   damp.resize(corner_force_.size());
-  VDouble ones[corners];
+  const NeumannRichtmyer bulk{options_.bulk_quadratic, options_.bulk_linear};
+  VDouble                ones[corners];
   std::fill(std::begin(ones), std::end(ones), VDouble(1.));
   for (std::size_t pack = 0; pack < padded_n_ / width; ++pack)
   {
@@ -50,11 +52,12 @@ void OnePointGroup<Element>::tangent(const Nodes<dim> &nodes, const std::array<A
     const VDouble lambda = stdx::max(VDouble(density * c * c - 2. * shear_modulus_), VDouble(0.));
     const auto    unit   = gram<Element, VDouble>(shape, ones);
     const VDouble length = length_of<Element, VDouble>(unit.trace);
+    const VDouble damping = bulk.damping(density, c, length, load(&viscous_pressure_[e]));
     for (int i = 0; i < 3; ++i)
     {
       const VDouble own = i < dim ? L[i][i] : i == 2 ? hoop : VDouble(0.);
       sigma[i]          = lambda * trace + 2. * shear_modulus_ * own;
-      viscous[i]        = density * length * options_.bulk_linear * c * trace;
+      viscous[i]        = damping * trace;
     }
     if constexpr (dim >= 2)
       sigma[3] = shear_modulus_ * (L[0][1] + L[1][0]);

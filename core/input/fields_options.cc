@@ -61,6 +61,9 @@ void fem_fields(Fields &f, FemOptions &o)
            bounds::not_negative);
   f.number({"bulk quadratic", "quadratic coefficient of the bulk viscosity"}, o.bulk_quadratic, bounds::not_negative);
   f.number({"bulk linear", "linear coefficient of the bulk viscosity"}, o.bulk_linear, bounds::not_negative);
+  f.choice({"step bound", "whose bound: the worst element's, never unsafe, or that of the whole mesh by power "
+                          "iteration every 20 steps"},
+           o.step_bound, {"element", "power-iteration"});
   f.number({"step factor", "share of the stability bound; above 1 only to see a run blow up"}, o.step_factor,
            Bound{0, 2, true});
 }

@@ -211,6 +211,7 @@ struct FemOptions
   std::string hourglass         = "stiffness"; ///< "stiffness", "viscous"
   double      hourglass_coefficient = .05;
   double      bulk_quadratic    = 1.5, bulk_linear = .06;
+  std::string step_bound        = "element"; ///< "element", "power-iteration"
   double      step_factor       = .9;
 };
 
