@@ -56,11 +56,13 @@ private:
 
   void    gather(const std::array<AlignedVector<double>, dim> &, std::size_t pack, Corners &) const;
   bool    strain(const Nodes<dim> &, const TimeStep &, std::size_t pack, Block &, std::size_t held);
-  VDouble internal_work(std::size_t pack, const Corners &v_mean, double kick) const;
+  VDouble internal_work(std::size_t pack, const Corners &v, double kick) const;
   void    book_energy(std::size_t pack, VDouble work, const Shape &, const Motion &);
   void    stress(std::size_t pack, const Shape &, const Motion &, double dt);
   Gram<Element, VDouble> inverse_mass_gram(std::size_t pack, const Shape &,
                                            const Gram<Element, VDouble> &unit) const;
+
+  void fetch(std::size_t begin, std::size_t count);
 
   StepStatus fail(const Nodes<dim> &, std::size_t e, const char *why) const;
   StepStatus first_bad(const Nodes<dim> &, std::size_t pack) const;
@@ -73,6 +75,7 @@ private:
   double                                     shear_modulus_, hourglass_modulus_;
 
   std::vector<std::uint32_t> node_;         ///< packs of corners
+  std::vector<char>          in_row_;       ///< the nodes of a pack at a corner are neighbours in memory
   AlignedVector<double>      mass_;         ///< kg
   AlignedVector<double>      corner_mass_;  ///< kg, packs of corners; axial symmetry only
 
@@ -82,6 +85,7 @@ private:
   AlignedVector<double> viscous_pressure_;  ///< Pa
   AlignedVector<double> half_hourglass_;    ///< J: half of Q_n times the last rates
   AlignedVector<double> half_viscous_;      ///< J: half of q_n times the last volume change
+  AlignedVector<double> half_power_;        ///< W: half of what the forces of t_n give the element at the last velocities
   AlignedVector<double> hourglass_energy_;  ///< J
   AlignedVector<double> viscous_heat_;      ///< J
   AlignedVector<double> limit_;             ///< largest 2/dt (1/s) and the element that sets it

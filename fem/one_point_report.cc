@@ -145,6 +145,7 @@ void OnePointGroup<Element>::for_each_state(const Visitor &visit)
   visit("viscous_pressure", viscous_pressure_);
   visit("half_hourglass", half_hourglass_);
   visit("half_viscous", half_viscous_);
+  visit("half_power", half_power_);
   visit("hourglass_energy", hourglass_energy_);
   visit("viscous_heat", viscous_heat_);
   visit("limit", limit_);
