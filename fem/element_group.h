@@ -42,6 +42,9 @@ public:
   /// component d follows d * simd_width entries later.
   virtual std::size_t force_index(std::size_t e, int corner) const = 0;
   virtual std::span<const double> corner_forces() const            = 0;
+  /// Component i of the sums of the corner forces at the nodes of the body, N,
+  /// if the group takes them itself; the two above are not asked then.
+  virtual std::span<const double> nodal_forces(int) const { return {}; }
 
   /// Adds the lumped mass of the elements to the nodes, kg.
   virtual void lump_mass(Nodes<dim> &) const = 0;

@@ -29,6 +29,7 @@ OnePointGroup<Element>::OnePointGroup(const BodyMesh<dim> &mesh, const GroupPlac
   , n_(mesh.n_cells())
   , padded_n_(padded(n_))
   , first_element_(place.first_element)
+  , first_node_(place.first_node)
   , material_(mesh.material)
   , options_(options)
   , viscous_hourglass_(options.hourglass == "viscous")
@@ -39,7 +40,6 @@ OnePointGroup<Element>::OnePointGroup(const BodyMesh<dim> &mesh, const GroupPlac
 {
   require(n_ > 0, "a body without elements");
   node_.resize(padded_n_ * corners);
-  in_row_.resize(node_.size() / width);
   for (auto *a : {&mass_, &viscous_pressure_, &half_hourglass_, &half_viscous_, &half_power_,
                   &hourglass_energy_, &viscous_heat_})
     a->resize(padded_n_, 0.);
@@ -72,12 +72,21 @@ OnePointGroup<Element>::OnePointGroup(const BodyMesh<dim> &mesh, const GroupPlac
         corner_mass_[slot(e, a, corners)] = material_->density() * share[a];
     }
   }
-  for (std::size_t k = 0; k < in_row_.size(); ++k)
+  for (auto &component : nodal_force_)
+    component.resize(mesh.n_nodes(), 0.);
+  find_rows();
+}
+
+template <class Element>
+void OnePointGroup<Element>::find_rows()
+{
+  row_.resize(node_.size() / width);
+  for (std::size_t k = 0; k < row_.size(); ++k)
   {
-    in_row_[k] = 1;
+    row_[k] = node_[k * width];
     for (std::size_t lane = 1; lane < width; ++lane)
       if (node_[k * width + lane] != node_[k * width] + lane)
-        in_row_[k] = 0;
+        row_[k] = no_row;
   }
 }
 
@@ -95,6 +104,7 @@ void OnePointGroup<Element>::initialise(const Nodes<dim> &nodes)
     gather(nodes.x, pack, x);
     deform<Element, VDouble>(x, still, VDouble(1.), shape, motion);
     stress(pack, shape, motion, 1.);
+    scatter(pack, 1);
   }
 }
 
@@ -105,9 +115,10 @@ void OnePointGroup<Element>::gather(const std::array<AlignedVector<double>, dim>
   for (int a = 0; a < corners; ++a)
   {
     const std::uint32_t *node = &node_[(pack * corners + a) * width];
-    if (in_row_[pack * corners + a])
+    const std::uint32_t  row  = row_[pack * corners + a];
+    if (row != no_row)
       for (int i = 0; i < dim; ++i)
-        out[a][i] = VDouble(field[i].data() + node[0], stdx::element_aligned);
+        out[a][i] = VDouble(field[i].data() + row, stdx::element_aligned);
     else
       for (int i = 0; i < dim; ++i)
       {
@@ -115,6 +126,36 @@ void OnePointGroup<Element>::gather(const std::array<AlignedVector<double>, dim>
         out[a][i]       = VDouble([&](auto lane) { return f[node[lane]]; });
       }
   }
+}
+
+/// Corner by corner and pack by pack: the same sums every time. Packs run inside,
+/// since they seldom share a node at the same corner: an addition has reached the
+/// memory before the next one to the node reads it.
+template <class Element>
+void OnePointGroup<Element>::scatter(std::size_t begin, std::size_t count)
+{
+  for (int a = 0; a < corners; ++a)
+    for (int i = 0; i < dim; ++i)
+    {
+      double *sum = nodal_force_[i].data();
+      for (std::size_t pack = begin; pack < begin + count; ++pack)
+      {
+        const double       *force = &corner_force_[((pack * corners + a) * dim + i) * width];
+        const std::uint32_t row   = row_[pack * corners + a];
+        if (row != no_row)
+        {
+          double *to = sum + (row - first_node_);
+          (VDouble(to, stdx::element_aligned) + load(force)).copy_to(to, stdx::element_aligned);
+        }
+        else
+        {
+          const std::uint32_t *node  = &node_[(pack * corners + a) * width];
+          const std::size_t    lanes = std::min(width, n_ - pack * width);
+          for (std::size_t lane = 0; lane < lanes; ++lane)
+            sum[node[lane] - first_node_] += force[lane];
+        }
+      }
+    }
 }
 
 template <class Element>
@@ -195,6 +236,8 @@ StepStatus OnePointGroup<Element>::advance(const Nodes<dim> &nodes, const TimeSt
 {
   const std::size_t packs = padded_n_ / width;
   limit_                  = {0., 0.};
+  for (auto &component : nodal_force_)
+    std::fill(component.begin(), component.end(), 0.);
   Block block;
   for (std::size_t begin = 0; begin < packs; begin += block_packs)
   {
@@ -220,6 +263,7 @@ StepStatus OnePointGroup<Element>::advance(const Nodes<dim> &nodes, const TimeSt
 
     for (std::size_t k = 0; k < count; ++k)
       stress(begin + k, block.shape[k], block.motion[k], step.drift);
+    scatter(begin, count);
   }
   return {};
 }

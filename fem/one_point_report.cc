@@ -141,6 +141,8 @@ void OnePointGroup<Element>::for_each_state(const Visitor &visit)
 {
   points_.for_each_array([&](const char *name, AlignedVector<double> &a) { visit(name, a); });
   visit("corner_force", corner_force_);
+  for (int i = 0; i < dim; ++i)
+    visit(std::string("nodal_force_") + "xyz"[i], nodal_force_[i]);
   visit("hourglass_force", Q_);
   visit("viscous_pressure", viscous_pressure_);
   visit("half_hourglass", half_hourglass_);

@@ -55,7 +55,8 @@ void Solver<dim>::Implementation::build(std::vector<BodyMesh<dim>> meshes)
     groups.push_back(make_one_point_group(mesh, {first_node[b], parts[b].first_element}, parameters.options));
     groups.back()->lump_mass(nodes);
     groups.back()->initialise(nodes);
-    parts[b].sum = CornerSum<dim>(parts[b].first_node, parts[b].last_node, *groups.back());
+    if (groups.back()->nodal_forces(0).empty())
+      parts[b].sum = CornerSum<dim>(parts[b].first_node, parts[b].last_node, *groups.back());
   }
   for (std::size_t a = 0; a < n_nodes; ++a)
     if (!(nodes.mass[a] > 0))
@@ -138,19 +139,41 @@ void Solver<dim>::Implementation::kick(const TimeStep &step)
     pressures.add(nodes, load);
   }
   for (std::size_t g = 0; g < groups.size(); ++g)
+    groups[g]->nodal_forces(0).empty() ? kick_by_corners(g, step.kick) : kick_by_nodes(g, step.kick);
+}
+
+template <int dim>
+void Solver<dim>::Implementation::kick_by_nodes(std::size_t g, double kick)
+{
+  const std::size_t first = parts[g].first_node, n = parts[g].last_node - first;
+  const double     *mass = &nodes.mass[first];
+  for (int i = 0; i < dim; ++i)
   {
-    const double *corner = groups[g]->corner_forces().data();
-    for (std::size_t a = parts[g].first_node; a < parts[g].last_node; ++a)
+    const double *element = groups[g]->nodal_forces(i).data(), *press = &load[i][first];
+    double       *v = &nodes.v[i][first], *old = &v_old[i][first], *force = &nodes.force[i][first];
+    for (std::size_t a = 0; a < n; ++a)
     {
-      double f[dim];
-      parts[g].sum.at(a, corner, f);
-      const double per_mass = step.kick / nodes.mass[a];
-      for (int i = 0; i < dim; ++i)
-      {
-        v_old[i][a] = nodes.v[i][a];
-        nodes.v[i][a] += per_mass * (f[i] + nodes.force[i][a] + load[i][a]);
-        nodes.force[i][a] = 0;
-      }
+      old[a] = v[a];
+      v[a] += kick / mass[a] * (element[a] + force[a] + press[a]);
+      force[a] = 0;
+    }
+  }
+}
+
+template <int dim>
+void Solver<dim>::Implementation::kick_by_corners(std::size_t g, double kick)
+{
+  const double *corner = groups[g]->corner_forces().data();
+  for (std::size_t a = parts[g].first_node; a < parts[g].last_node; ++a)
+  {
+    double f[dim];
+    parts[g].sum.at(a, corner, f);
+    const double per_mass = kick / nodes.mass[a];
+    for (int i = 0; i < dim; ++i)
+    {
+      v_old[i][a] = nodes.v[i][a];
+      nodes.v[i][a] += per_mass * (f[i] + nodes.force[i][a] + load[i][a]);
+      nodes.force[i][a] = 0;
     }
   }
 }

@@ -38,6 +38,8 @@ struct Solver<dim>::Implementation
   void       build(std::vector<BodyMesh<dim>>);
   void       build_surface(const std::vector<BodyMesh<dim>> &);
   void       kick(const TimeStep &);
+  void       kick_by_nodes(std::size_t g, double kick);
+  void       kick_by_corners(std::size_t g, double kick);
   void       book_pressure(double kick);
   void       drift(double dt);
   StepStatus check_nodes() const;
