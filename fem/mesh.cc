@@ -115,6 +115,8 @@ void reduce(const Triangulation<dim> &triangulation, const input::Scene &scene, 
             const FaceName<dim> &name, BodyMesh<dim> &mesh)
 {
   std::vector<std::int64_t> index(triangulation.n_vertices(), -1);
+  // Nodes are numbered as elements meet them, but for generated bodies, whose
+  // generators run along rows: neighbours in a row stay neighbours in memory.
   const auto                node_of = [&](unsigned int vertex) {
     if (index[vertex] < 0)
     {
@@ -127,6 +129,10 @@ void reduce(const Triangulation<dim> &triangulation, const input::Scene &scene, 
     }
     return static_cast<std::uint32_t>(index[vertex]);
   };
+  if (name)
+    for (unsigned int vertex = 0; vertex < triangulation.n_vertices(); ++vertex)
+      if (triangulation.vertex_used(vertex))
+        node_of(vertex);
   for (const auto &cell : triangulation.active_cell_iterators())
   {
     const auto id = static_cast<std::uint32_t>(mesh.n_cells());

@@ -29,6 +29,7 @@ OnePointGroup<Element>::OnePointGroup(const BodyMesh<dim> &mesh, const GroupPlac
   , n_(mesh.n_cells())
   , padded_n_(padded(n_))
   , first_element_(place.first_element)
+  , first_node_(place.first_node)
   , material_(mesh.material)
   , options_(options)
   , viscous_hourglass_(options.hourglass == "viscous")
@@ -39,8 +40,8 @@ OnePointGroup<Element>::OnePointGroup(const BodyMesh<dim> &mesh, const GroupPlac
 {
   require(n_ > 0, "a body without elements");
   node_.resize(padded_n_ * corners);
-  for (auto *a : {&mass_, &viscous_pressure_, &half_hourglass_, &half_viscous_, &hourglass_energy_,
-                  &viscous_heat_})
+  for (auto *a : {&mass_, &viscous_pressure_, &half_hourglass_, &half_viscous_, &half_power_,
+                  &hourglass_energy_, &viscous_heat_})
     a->resize(padded_n_, 0.);
   corner_force_.resize(padded_n_ * corners * dim, 0.);
   Q_.resize(padded_n_ * modes * dim, 0.);
@@ -71,6 +72,22 @@ OnePointGroup<Element>::OnePointGroup(const BodyMesh<dim> &mesh, const GroupPlac
         corner_mass_[slot(e, a, corners)] = material_->density() * share[a];
     }
   }
+  for (auto &component : nodal_force_)
+    component.resize(mesh.n_nodes(), 0.);
+  find_rows();
+}
+
+template <class Element>
+void OnePointGroup<Element>::find_rows()
+{
+  row_.resize(node_.size() / width);
+  for (std::size_t k = 0; k < row_.size(); ++k)
+  {
+    row_[k] = node_[k * width];
+    for (std::size_t lane = 1; lane < width; ++lane)
+      if (node_[k * width + lane] != node_[k * width] + lane)
+        row_[k] = no_row;
+  }
 }
 
 template <class Element>
@@ -87,6 +104,7 @@ void OnePointGroup<Element>::initialise(const Nodes<dim> &nodes)
     gather(nodes.x, pack, x);
     deform<Element, VDouble>(x, still, VDouble(1.), shape, motion);
     stress(pack, shape, motion, 1.);
+    scatter(pack, 1);
   }
 }
 
@@ -97,22 +115,57 @@ void OnePointGroup<Element>::gather(const std::array<AlignedVector<double>, dim>
   for (int a = 0; a < corners; ++a)
   {
     const std::uint32_t *node = &node_[(pack * corners + a) * width];
-    for (int i = 0; i < dim; ++i)
-    {
-      const double *f = field[i].data();
-      out[a][i]       = VDouble([&](auto lane) { return f[node[lane]]; });
-    }
+    const std::uint32_t  row  = row_[pack * corners + a];
+    if (row != no_row)
+      for (int i = 0; i < dim; ++i)
+        out[a][i] = VDouble(field[i].data() + row, stdx::element_aligned);
+    else
+      for (int i = 0; i < dim; ++i)
+      {
+        const double *f = field[i].data();
+        out[a][i]       = VDouble([&](auto lane) { return f[node[lane]]; });
+      }
   }
 }
 
+/// Corner by corner and pack by pack: the same sums every time. Packs run inside,
+/// since they seldom share a node at the same corner: an addition has reached the
+/// memory before the next one to the node reads it.
 template <class Element>
-VDouble OnePointGroup<Element>::internal_work(std::size_t pack, const Corners &v_mean, double kick) const
+void OnePointGroup<Element>::scatter(std::size_t begin, std::size_t count)
+{
+  for (int a = 0; a < corners; ++a)
+    for (int i = 0; i < dim; ++i)
+    {
+      double *sum = nodal_force_[i].data();
+      for (std::size_t pack = begin; pack < begin + count; ++pack)
+      {
+        const double       *force = &corner_force_[((pack * corners + a) * dim + i) * width];
+        const std::uint32_t row   = row_[pack * corners + a];
+        if (row != no_row)
+        {
+          double *to = sum + (row - first_node_);
+          (VDouble(to, stdx::element_aligned) + load(force)).copy_to(to, stdx::element_aligned);
+        }
+        else
+        {
+          const std::uint32_t *node  = &node_[(pack * corners + a) * width];
+          const std::size_t    lanes = std::min(width, n_ - pack * width);
+          for (std::size_t lane = 0; lane < lanes; ++lane)
+            sum[node[lane] - first_node_] += force[lane];
+        }
+      }
+    }
+}
+
+template <class Element>
+VDouble OnePointGroup<Element>::internal_work(std::size_t pack, const Corners &v, double kick) const
 {
   const double *f = &corner_force_[pack * corners * dim * width];
-  VDouble       power(0.);
+  VDouble       power = load(&half_power_[pack * width]);
   for (int a = 0; a < corners; ++a)
     for (int i = 0; i < dim; ++i, f += width)
-      power -= load(f) * v_mean[a][i];
+      power -= .5 * load(f) * v[a][i];
   return power * kick;
 }
 
@@ -139,10 +192,9 @@ bool OnePointGroup<Element>::strain(const Nodes<dim> &nodes, const TimeStep &ste
                                     Block &block, std::size_t held)
 {
   Corners x, v;
-  gather(nodes.v_mean, pack, v);
-  const VDouble work = internal_work(pack, v, step.kick);
   gather(nodes.x, pack, x);
   gather(nodes.v, pack, v);
+  const VDouble work = internal_work(pack, v, step.kick);
   Shape  &shape  = block.shape[held];
   Motion &motion = block.motion[held];
   deform<Element, VDouble>(x, v, VDouble(step.drift), shape, motion);
@@ -160,11 +212,32 @@ bool OnePointGroup<Element>::strain(const Nodes<dim> &nodes, const TimeStep &ste
   return stdx::all_of(shape.volume > 0.) && stdx::all_of(energy - energy == 0.);
 }
 
+/// Asks for the state of a block before it is needed: more arrays run side by
+/// side than the processor follows by itself.
+template <class Element>
+void OnePointGroup<Element>::fetch(std::size_t begin, std::size_t count)
+{
+  constexpr std::size_t line = 64 / sizeof(double);
+  const auto            ask  = [&](const AlignedVector<double> &a, std::size_t per_element) {
+    const double *first = a.data() + begin * width * per_element, *last = first + count * width * per_element;
+    for (; first < last; first += line)
+      __builtin_prefetch(first);
+  };
+  ask(corner_force_, corners * dim);
+  ask(Q_, modes * dim);
+  points_.for_each_array([&](const char *, const AlignedVector<double> &a) { ask(a, 1); });
+  for (auto *a : {&mass_, &viscous_pressure_, &half_hourglass_, &half_viscous_, &half_power_,
+                  &hourglass_energy_, &viscous_heat_})
+    ask(*a, 1);
+}
+
 template <class Element>
 StepStatus OnePointGroup<Element>::advance(const Nodes<dim> &nodes, const TimeStep &step)
 {
   const std::size_t packs = padded_n_ / width;
   limit_                  = {0., 0.};
+  for (auto &component : nodal_force_)
+    std::fill(component.begin(), component.end(), 0.);
   Block block;
   for (std::size_t begin = 0; begin < packs; begin += block_packs)
   {
@@ -173,6 +246,8 @@ StepStatus OnePointGroup<Element>::advance(const Nodes<dim> &nodes, const TimeSt
       if (!strain(nodes, step, begin + k, block, k))
         return first_bad(nodes, begin + k);
 
+    if (false && begin + block_packs < packs)
+      fetch(begin + block_packs, std::min(block_packs, packs - begin - block_packs));
     materials::Increments increments;
     for (int c = 0; c < 6; ++c)
       increments.strain[c] = block.strain[c];
@@ -188,6 +263,7 @@ StepStatus OnePointGroup<Element>::advance(const Nodes<dim> &nodes, const TimeSt
 
     for (std::size_t k = 0; k < count; ++k)
       stress(begin + k, block.shape[k], block.motion[k], step.drift);
+    scatter(begin, count);
   }
   return {};
 }
@@ -274,9 +350,13 @@ void OnePointGroup<Element>::stress(std::size_t pack, const Shape &shape, const 
   else
     std::fill(&Q[0][0], &Q[0][0] + Shape::modes * dim, VDouble(0.));
 
-  VDouble sigma[6];
+  VDouble sigma[6], power(0.);
   for (int k = 0; k < 6; ++k)
+  {
     sigma[k] = load(&points_.sigma[k][e]) - (k < 3 ? q : VDouble(0.));
+    power += sigma[k] * motion.dual[k];
+  }
+  store(.5 * shape.volume * power + load(&half_hourglass_[e]) * (1. / dt), &half_power_[e]);
   VDouble force[corners][dim];
   fem::corner_forces<Element, VDouble>(shape, sigma, Q, force);
   double *f = &corner_force_[pack * corners * dim * width];

@@ -23,7 +23,7 @@ public:
   std::size_t                        size() const override { return n_; }
   std::array<std::uint32_t, corners> nodes(std::size_t e) const override;
   void for_each_node(const typename ElementGroup<dim>::NodeVisitor &) const override;
-  std::span<const double> corner_forces() const override { return corner_force_; }
+  std::span<const double> nodal_forces(int i) const override { return nodal_force_[i]; }
 
   void       lump_mass(Nodes<dim> &) const override;
   void       initialise(const Nodes<dim> &) override;
@@ -39,6 +39,8 @@ private:
   static constexpr std::size_t width       = simd_width;
   static constexpr std::size_t block_packs = 8; ///< packs between two calls of the material
 
+  static constexpr std::uint32_t no_row = 0xffffffff;
+
   /// Corner positions or velocities of a pack; shape and rates of a pack.
   using Corners = VDouble[corners][dim];
   using Shape   = Geometry<Element, VDouble>;
@@ -53,34 +55,41 @@ private:
   static VDouble load(const double *p) { return VDouble(p, stdx::vector_aligned); }
   static void    store(VDouble v, double *p) { v.copy_to(p, stdx::vector_aligned); }
 
+  void    find_rows();
+  void    scatter(std::size_t begin, std::size_t count);
   void    gather(const std::array<AlignedVector<double>, dim> &, std::size_t pack, Corners &) const;
   bool    strain(const Nodes<dim> &, const TimeStep &, std::size_t pack, Block &, std::size_t held);
-  VDouble internal_work(std::size_t pack, const Corners &v_mean, double kick) const;
+  VDouble internal_work(std::size_t pack, const Corners &v, double kick) const;
   void    book_energy(std::size_t pack, VDouble work, const Shape &, const Motion &);
   void    stress(std::size_t pack, const Shape &, const Motion &, double dt);
   Gram<Element, VDouble> inverse_mass_gram(std::size_t pack, const Shape &,
                                            const Gram<Element, VDouble> &unit) const;
 
+  void fetch(std::size_t begin, std::size_t count);
+
   StepStatus fail(const Nodes<dim> &, std::size_t e, const char *why) const;
   StepStatus first_bad(const Nodes<dim> &, std::size_t pack) const;
 
   int                                        body_;
-  std::size_t                                n_, padded_n_, first_element_;
+  std::size_t                                n_, padded_n_, first_element_, first_node_;
   std::shared_ptr<const materials::Material> material_;
   input::FemOptions                          options_;
   bool                                       viscous_hourglass_;
   double                                     shear_modulus_, hourglass_modulus_;
 
   std::vector<std::uint32_t> node_;         ///< packs of corners
+  std::vector<std::uint32_t> row_;          ///< first node of a pack at a corner where the others follow it in memory
   AlignedVector<double>      mass_;         ///< kg
   AlignedVector<double>      corner_mass_;  ///< kg, packs of corners; axial symmetry only
 
   materials::Points     points_;
-  AlignedVector<double> corner_force_;      ///< N at t_n, packs of corners x dim
+  AlignedVector<double>      corner_force_; ///< N at t_n, packs of corners x dim
+  std::array<AlignedVector<double>, dim> nodal_force_; ///< N at t_n, sums over the corners at the body's nodes
   AlignedVector<double> Q_;                 ///< hourglass forces, N, packs of modes x dim
   AlignedVector<double> viscous_pressure_;  ///< Pa
   AlignedVector<double> half_hourglass_;    ///< J: half of Q_n times the last rates
   AlignedVector<double> half_viscous_;      ///< J: half of q_n times the last volume change
+  AlignedVector<double> half_power_;        ///< W: half of what the forces of t_n give the element at the last velocities
   AlignedVector<double> hourglass_energy_;  ///< J
   AlignedVector<double> viscous_heat_;      ///< J
   AlignedVector<double> limit_;             ///< largest 2/dt (1/s) and the element that sets it

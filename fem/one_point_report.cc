@@ -149,10 +149,13 @@ void OnePointGroup<Element>::for_each_state(const Visitor &visit)
 {
   points_.for_each_array([&](const char *name, AlignedVector<double> &a) { visit(name, a); });
   visit("corner_force", corner_force_);
+  for (int i = 0; i < dim; ++i)
+    visit(std::string("nodal_force_") + "xyz"[i], nodal_force_[i]);
   visit("hourglass_force", Q_);
   visit("viscous_pressure", viscous_pressure_);
   visit("half_hourglass", half_hourglass_);
   visit("half_viscous", half_viscous_);
+  visit("half_power", half_power_);
   visit("hourglass_energy", hourglass_energy_);
   visit("viscous_heat", viscous_heat_);
   visit("limit", limit_);

@@ -11,9 +11,9 @@ namespace ogive::materials
 /// Points are worked through in chunks that stay in the first-level cache, in
 /// stages: elastic trial, plastic return, pressure, damage, finish. Each stage
 /// visits its law once a chunk and is a template on it inside, so that laws add
-/// up in compiled code (3 + 5 + 4) instead of multiplying (3 x 5 x 4). Stages
-/// that every point needs run on whole registers; the return and the damage run
-/// only on the points that yield or may fail.
+/// up in compiled code (3 + 5 + 4) instead of multiplying (3 x 5 x 4). All run on
+/// whole registers but damage; the return passes over registers in which no
+/// point can yield.
 class ComposedMaterial final : public Material
 {
 public:

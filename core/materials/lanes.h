@@ -48,6 +48,15 @@ inline bool all(const VMask &condition)
   return stdx::all_of(condition);
 }
 
+inline bool any(bool condition)
+{
+  return condition;
+}
+inline bool any(const VMask &condition)
+{
+  return stdx::any_of(condition);
+}
+
 /// Calls f.template operator()<T>(i) over [0, n): registers first, then what is left.
 template <class F>
 void for_lanes(std::size_t n, F &&f)

@@ -162,26 +162,31 @@ template <class Strength>
 void ComposedMaterial::flow(Chunk &c, Points &p, const Strength &law) const
 {
   if constexpr (Strength::yields)
-    for (std::size_t i = 0; i < c.n; ++i)
-      {
-        const std::size_t j = c.begin + i;
-        if (!(c.stress[i] > law.elastic_up_to(p.plastic_strain[j], p.temperature[j])))
-          continue;
-        if (p.damage[j] >= 1)
-          continue; // failed: no stress is stored, so none is returned
-        const double per_mass = (1 - p.damage[j]) * 2 / (p.density[j] + c.density[i]);
-        const Flow f = law.flow({c.stress[i], c.old_stress[i], 3 * shear_, p.plastic_strain[j],
-                                 p.temperature[j], c.dt, heating_ * per_mass});
-        if (f.increment == 0)
-          continue;
-        c.kept[i]      = 1 - 3 * shear_ * f.increment / c.stress[i];
-        c.increment[i] = f.increment;
-        for (int a = 0; a < 6; ++a)
-          c.s[a][i] *= c.kept[i];
-        p.plastic_strain[j] += f.increment;
-        p.plastic_work[j] += per_mass * f.work;
-        p.temperature[j] += heating_ * per_mass * f.work;
-      }
+    for_lanes(c.n, [&]<class T>(std::size_t i) {
+      const std::size_t j      = c.begin + i;
+      const T           strain = load<T>(p.plastic_strain.data() + j);
+      const T           warmth = load<T>(p.temperature.data() + j);
+      const T           stress = load<T>(c.stress + i);
+      const T           intact = T(1) - load<T>(p.damage.data() + j);
+      // Failed points store no stress, so none is returned.
+      const auto may_yield = stress > law.elastic_up_to(strain, warmth) && intact > T(0);
+      if (!any(may_yield))
+        return;
+      const T per_mass = intact * T(2) / (load<T>(p.density.data() + j) + load<T>(c.density + i));
+      Flow<T> f        = law.flow(Trial<T>{stress, load<T>(c.old_stress + i), 3 * shear_, strain, warmth,
+                                           c.dt, T(heating_) * per_mass});
+      f.increment      = select(may_yield, f.increment, T(0));
+      f.work           = select(may_yield, f.work, T(0));
+      const T kept =
+        select(f.increment > T(0), T(1) - T(3 * shear_) * f.increment / stress, T(1));
+      store(c.kept + i, kept);
+      store(c.increment + i, f.increment);
+      for (int a = 0; a < 6; ++a)
+        store(c.s[a] + i, kept * load<T>(c.s[a] + i));
+      store(p.plastic_strain.data() + j, strain + f.increment);
+      store(p.plastic_work.data() + j, load<T>(p.plastic_work.data() + j) + per_mass * f.work);
+      store(p.temperature.data() + j, warmth + T(heating_) * per_mass * f.work);
+    });
 }
 
 template <class Eos>

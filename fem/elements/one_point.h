@@ -12,11 +12,12 @@ namespace ogive::fem
 /// bound of the frequency. T is double (tests) or a register of doubles.
 
 /// Strain and spin increments of one step (order of materials::Increments), the
-/// increment of volume strain, and the hourglass rates (m/s).
+/// increment of volume strain, the hourglass rates (m/s), and the rate of strain
+/// in the shape at the end (1/s, shear components twice: dual to the stress).
 template <class Element, class T>
 struct Deformation
 {
-  T strain[6], spin[3], trace;
+  T strain[6], spin[3], trace, dual[6];
   T rate[Geometry<Element, T>::modes][Element::dim];
 };
 
@@ -87,6 +88,23 @@ void hourglass_rates(const T (&x)[Element::corners][Element::dim], const T (&v)[
         d.rate[m][i] -= g.skew[m][j] * L[i][j];
 }
 
+/// The rate of strain that the corner forces of this shape are dual to.
+template <int dim, class T>
+void dual_rate(const T (&L)[dim][dim], T (&dual)[6])
+{
+  for (T &component : dual)
+    component = T(0.);
+  for (int i = 0; i < dim; ++i)
+    dual[i] = L[i][i];
+  if constexpr (dim >= 2)
+    dual[3] = L[0][1] + L[1][0];
+  if constexpr (dim == 3)
+  {
+    dual[4] = L[1][2] + L[2][1];
+    dual[5] = L[0][2] + L[2][0];
+  }
+}
+
 /// Shape at the end of the step and what happened during it. x (m) and v (m/s)
 /// at the corners, dt in s.
 template <class Element, class T>
@@ -106,6 +124,7 @@ void deform(const T (&x)[Element::corners][Element::dim], const T (&v)[Element::
       L[i][j] = sum * inverse;
     }
   hourglass_rates<Element, T>(x, v, L, g, d);
+  dual_rate<dim, T>(L, d.dual);
   to_middle<dim, T>(L, .5 * dt);
 
   for (T &s : d.strain)
@@ -136,6 +155,7 @@ void deform(const T (&x)[Element::corners][Element::dim], const T (&v)[Element::
     for (int a = 0; a < Element::corners; ++a)
       rate += v[a][0] * g.hoop[a];
     rate        = rate * inverse;
+    d.dual[2]   = rate;
     d.strain[2] = dt * rate / (1. - .5 * dt * rate);
     d.trace += d.strain[2];
   }

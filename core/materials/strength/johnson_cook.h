@@ -2,9 +2,9 @@
 #pragma once
 
 #include "core/materials/entry.h"
+#include "core/materials/lane_math.h"
 #include "core/materials/parameters.h"
 #include "core/materials/strength/flow.h"
-#include "core/materials/strength/nearby.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +25,6 @@ struct JohnsonCook
   double c, inverse_rate;   ///< -, s
   double m;
   double reference, inverse_range; ///< K, 1/K
-  NearbyPower::Series hardening_series, thermal_series;
 
   static JohnsonCook from(const Parameters &p)
   {
@@ -44,108 +43,114 @@ struct JohnsonCook
     if (melt <= j.reference)
       reject("Thermal/melt temperature", "is not above the reference temperature",
              "a higher temperature");
-    j.inverse_range    = 1 / (melt - j.reference);
-    j.hardening_series = NearbyPower::Series(j.n);
-    j.thermal_series   = NearbyPower::Series(j.m);
+    j.inverse_range = 1 / (melt - j.reference);
     return j;
   }
 
   /// A cheap lower bound of the yield stress: eps^n >= min(eps, 1) for n <= 1,
   /// T*^m <= T* for m >= 1 and <= the tangent at T* = 1 for m < 1.
-  double elastic_up_to(double plastic_strain, double temperature) const
+  template <class T>
+  T elastic_up_to(const T &plastic_strain, const T &temperature) const
   {
-    const double t_star = homologous(temperature);
-    const double heat   = m >= 1 || t_star <= 0 ? t_star : 1 - m * (1 - t_star);
-    const double strain = n <= 1 ? std::min(plastic_strain, 1.) : 0;
-    return (a + b * strain) * (1 - heat);
+    const T t_star = homologous(temperature);
+    const T heat   = m >= 1 ? t_star : select(t_star > T(0), T(1) - T(m) * (T(1) - t_star), T(0));
+    const T strain = n <= 1 ? select(plastic_strain < T(1), plastic_strain, T(1)) : T(0);
+    return (T(a) + T(b) * strain) * (T(1) - heat);
   }
 
   double stress(double plastic_strain, double rate, double temperature) const
   {
     const double relative = rate * inverse_rate;
-    const double t_star   = homologous(temperature);
-    return (a + (plastic_strain > 0 ? b * std::pow(plastic_strain, n) : 0)) *
-           (relative > 1 ? 1 + c * std::log(relative) : 1) *
-           (t_star > 0 ? 1 - std::pow(t_star, m) : 1);
+    return cold(plastic_strain, temperature) * (relative > 1 ? 1 + c * std::log(relative) : 1);
   }
 
   /// Solves q - 3 G x = Y(eps + x, x/dt, T + heating (q - 3 G x) x) by Newton,
-  /// held inside a bracket that a bisection closes where Newton leaves it.
-  Flow flow(const Trial &t) const
+  /// held inside a bracket that a bisection closes where Newton leaves it. No
+  /// lane sees its neighbours: one that has converged holds still.
+  template <class T>
+  Flow<T> flow(const Trial<T> &t) const
   {
-    double lo = 0, hi = t.stress / t.three_g;
-    double x           = (t.stress - t.old_stress) / t.three_g;
-    bool   known_plastic = false;
-    Functions f{NearbyPower(hardening_series), NearbyPower(thermal_series), NearbyLog()};
-    for (int i = 0; i < max_iterations; ++i)
+    const T    start  = cold(t.plastic_strain, t.temperature);
+    const auto yields = t.stress > start;
+    if (!any(yields))
+      return {T(0), T(0)};
+    T lo(0), hi = t.stress / T(t.three_g);
+    T x = (t.stress - t.old_stress) / T(t.three_g);
+    x   = select(x > lo && x < hi, x, least((t.stress - start) / T(t.three_g), T(.5) * hi));
+    auto open = yields;
+    for (int i = 0; i < max_iterations && any(open); ++i)
       {
-        if (!(x > lo && x < hi))
-          {
-            if (!known_plastic && lo == 0)
-              {
-                const double excess = t.stress - stress(t.plastic_strain, 0, t.temperature);
-                if (!(excess > 0))
-                  return {};
-                known_plastic = true;
-                x             = std::min(excess / t.three_g, .5 * (lo + hi));
-              }
-            else // with lo = 0 the root may be many decades down: x^n with small n
-              x = lo > 0 ? .5 * (lo + hi) : 1e-3 * hi;
-          }
-        const Residual r = residual(t, x, f);
-        if (r.value >= 0)
-          lo = x;
-        else
-          hi = x;
-        const double step = r.value / r.slope;
-        if (std::abs(r.value) <= tolerance * t.stress || hi - lo <= tolerance * hi)
-          break;
-        x -= step;
+        const Residual<T> r     = residual(t, x);
+        const auto        below = r.value >= T(0);
+        lo         = select(open && below, x, lo);
+        hi         = select(open && !below, x, hi);
+        using std::abs;
+        open       = open && !(abs(r.value) <= T(tolerance) * t.stress || hi - lo <= T(tolerance) * hi);
+        const T newton = x - r.value / r.slope;
+        // With lo = 0 the root may be many decades down: x^n with small n.
+        const T inside = select(lo > T(0), T(.5) * (lo + hi), T(1e-3) * hi);
+        x = select(open, select(newton > lo && newton < hi, newton, inside), x);
       }
-    return {x, (t.stress - t.three_g * x) * x};
+    x = select(yields, x, T(0));
+    return {x, (t.stress - T(t.three_g) * x) * x};
   }
 
 private:
   static constexpr int    max_iterations = 100;
   static constexpr double tolerance      = 1e-12;
 
-  struct Functions
-  {
-    NearbyPower hardening, thermal;
-    NearbyLog   rate;
-  };
-
+  template <class T>
   struct Residual
   {
-    double value, slope;
+    T value, slope;
   };
 
-  double homologous(double temperature) const
+  template <class T>
+  static T least(const T &a, const T &b)
   {
-    return std::clamp((temperature - reference) * inverse_range, 0., 1.);
+    return select(a < b, a, b);
   }
 
-  Residual residual(const Trial &t, double x, Functions &f) const
+  template <class T>
+  T homologous(const T &temperature) const
   {
-    const double strain = t.plastic_strain + x;
-    const double power  = b * f.hardening(strain);
-    const double h = a + power, dh = n * power / strain;
+    const T t = (temperature - T(reference)) * T(inverse_range);
+    return select(t > T(0), least(t, T(1)), T(0));
+  }
 
-    const double relative = t.dt > 0 ? x * inverse_rate / t.dt : 0;
-    const double r        = relative > 1 ? 1 + c * f.rate(relative) : 1;
-    const double dr       = relative > 1 ? c / x : 0;
+  /// The yield stress below the reference rate.
+  template <class T>
+  T cold(const T &plastic_strain, const T &temperature) const
+  {
+    const T t_star = homologous(temperature);
+    const T hard   = select(plastic_strain > T(0), T(b) * lane_power(plastic_strain, n), T(0));
+    return (T(a) + hard) * (T(1) - select(t_star > T(0), lane_power(t_star, m), T(0)));
+  }
 
-    const double q      = t.stress - t.three_g * x;
-    const double t_star = homologous(t.temperature + t.heating * q * x);
-    double       w = 1, dw = 0;
-    if (t_star > 0)
+  template <class T>
+  Residual<T> residual(const Trial<T> &t, const T &x) const
+  {
+    const T strain = t.plastic_strain + x;
+    const T power  = T(b) * lane_power(strain, n);
+    const T h = T(a) + power, dh = T(n) * power / strain;
+
+    T r(1), dr(0);
+    if (c > 0 && t.dt > 0)
       {
-        const double heat = f.thermal(t_star);
-        w                 = 1 - heat;
-        if (t_star < 1)
-          dw = -m * heat / t_star * inverse_range * t.heating * (q - t.three_g * x);
+        const T    relative = x * T(inverse_rate / t.dt);
+        const auto fast     = relative > T(1);
+        r                   = select(fast, T(1) + T(c) * lane_log(relative), T(1));
+        dr                  = select(fast, T(c) / x, T(0));
       }
-    return {q - h * r * w, -t.three_g - dh * r * w - h * dr * w - h * r * dw};
+
+    const T    q      = t.stress - T(t.three_g) * x;
+    const T    t_star = homologous(t.temperature + t.heating * q * x);
+    const auto warm   = t_star > T(0);
+    const T    heat   = select(warm, lane_power(t_star, m), T(0));
+    const T    w      = T(1) - heat;
+    const T    dw     = select(warm && t_star < T(1),
+                               T(-m * inverse_range) * heat / t_star * t.heating * (q - T(t.three_g) * x), T(0));
+    return {q - h * r * w, T(-t.three_g) - dh * r * w - h * dr * w - h * r * dw};
   }
 };
 } // namespace ogive::materials

@@ -25,9 +25,10 @@ struct LinearHardening
             not_negative(p.strength.hardening_modulus, "Strength/hardening modulus", why)};
   }
 
-  double elastic_up_to(double plastic_strain, double) const
+  template <class T>
+  T elastic_up_to(const T &plastic_strain, const T &) const
   {
-    return yield + modulus * plastic_strain;
+    return T(yield) + T(modulus) * plastic_strain;
   }
 
   double stress(double plastic_strain, double, double) const
@@ -35,13 +36,12 @@ struct LinearHardening
     return yield + modulus * plastic_strain;
   }
 
-  Flow flow(const Trial &t) const
+  template <class T>
+  Flow<T> flow(const Trial<T> &t) const
   {
-    const double now = yield + modulus * t.plastic_strain;
-    if (!(t.stress > now))
-      return {};
-    const double x = (t.stress - now) / (t.three_g + modulus);
-    return {x, (now + .5 * modulus * x) * x};
+    const T now = T(yield) + T(modulus) * t.plastic_strain;
+    const T x   = select(t.stress > now, (t.stress - now) / T(t.three_g + modulus), T(0));
+    return {x, (now + T(.5 * modulus) * x) * x};
   }
 };
 } // namespace ogive::materials

@@ -24,17 +24,20 @@ struct PerfectPlastic
   }
 
   /// A stress that surely does not yield at this plastic strain and temperature, Pa.
-  double elastic_up_to(double, double) const { return yield; }
+  template <class T>
+  T elastic_up_to(const T &, const T &) const
+  {
+    return T(yield);
+  }
 
   /// Yield stress, Pa.
   double stress(double, double, double) const { return yield; }
 
-  Flow flow(const Trial &t) const
+  template <class T>
+  Flow<T> flow(const Trial<T> &t) const
   {
-    if (!(t.stress > yield))
-      return {};
-    const double x = (t.stress - yield) / t.three_g;
-    return {x, yield * x};
+    const T x = select(t.stress > T(yield), (t.stress - T(yield)) / T(t.three_g), T(0));
+    return {x, T(yield) * x};
   }
 };
 } // namespace ogive::materials

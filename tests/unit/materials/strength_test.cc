@@ -80,7 +80,7 @@ TEST(Strength, JohnsonCookSolverOverRandomTrials)
       p.strength.rate_coefficient = u(random) < .2 ? 0 : .08 * u(random);
       p.strength.hardening        = u(random) < .2 ? 0 : 9e8 * u(random);
       const JohnsonCook law = JohnsonCook::from(p);
-      Trial             t;
+      Trial<double>     t;
       t.stress         = 90e6 * std::pow(10., 3 * u(random) - .5);
       t.old_stress     = t.stress * 1.2 * u(random);
       t.three_g        = 130e9;
@@ -105,17 +105,56 @@ TEST(Strength, JohnsonCookSolverOverRandomTrials)
     }
 }
 
-TEST(Strength, NearbyPowerAndLogMatchTheLibrary)
+// The library's functions are within an ulp; the bounds are those that the
+// functions promise, over many decades and on both sides of every power of two.
+TEST(Strength, LogarithmAndExponentialOfRegistersMatchTheLibrary)
 {
+  for (double x = 1e-300; x < 1e300; x *= 1.037)
+    ASSERT_NEAR(lane_log(VDouble(x))[0], std::log(x), 2.5e-16 * (1 + std::abs(std::log(x)))) << x;
+  for (double x = -699; x < 700; x += .0317)
+    ASSERT_NEAR(lane_exp(VDouble(x))[0], std::exp(x), 5e-16 * std::exp(x)) << x;
+  EXPECT_EQ(lane_log(VDouble(1.))[0], 0);
+  EXPECT_EQ(lane_exp(VDouble(0.))[0], 1);
   for (const double n : {.12, .31, .55, 1.09, 1.34})
+    for (double x = 3e-5; x < 4; x *= 1.0049)
+      ASSERT_NEAR(lane_power(VDouble(x), n)[0], std::pow(x, n), 4e-15 * std::pow(x, n));
+}
+
+// A register of points of different fates (elastic, barely yielding, far out,
+// molten) returns each as if it were alone, whatever its neighbours do.
+TEST(Strength, JohnsonCookReturnsARegisterAsItReturnsEachPoint)
+{
+  const JohnsonCook law = JohnsonCook::from(test::parameters("linear", "johnson-cook"));
+  std::mt19937                           random(11);
+  std::uniform_real_distribution<double> u(0, 1);
+  const auto draw = [&] {
+    const double stress = 90e6 * std::pow(10., 3 * u(random) - .5);
+    return Trial<double>{stress, stress * 1.2 * u(random), 130e9,
+                         u(random) < .3 ? 0 : std::pow(10., -6 + 7 * u(random)), 250 + 1300 * u(random), 1e-7,
+                         .9 / (8930 * 383)};
+  };
+  for (int k = 0; k < 3000; ++k)
     {
-      const NearbyPower::Series series(n);
-      NearbyPower               power(series);
-      NearbyLog                 log;
-      for (double x = 3e-5; x < 4; x *= 1.0049)
+      Trial<double>  one[simd_width];
+      Trial<VDouble> all{VDouble(0.), VDouble(0.), 130e9, VDouble(0.), VDouble(0.), 1e-7, VDouble(0.)};
+      for (int l = 0; l < simd_width; ++l)
         {
-          ASSERT_NEAR(power(x), std::pow(x, n), 2e-14 * std::pow(x, n));
-          ASSERT_NEAR(log(x), std::log(x), 1e-14 * (1 + std::abs(std::log(x))));
+          one[l]                = draw();
+          all.stress[l]         = one[l].stress;
+          all.old_stress[l]     = one[l].old_stress;
+          all.plastic_strain[l] = one[l].plastic_strain;
+          all.temperature[l]    = one[l].temperature;
+          all.heating[l]        = one[l].heating;
+        }
+      const Flow<VDouble> together = law.flow(all);
+      for (int l = 0; l < simd_width; ++l)
+        {
+          const Flow<double> alone = law.flow(one[l]);
+          ASSERT_NEAR(together.increment[l], alone.increment, 2e-12 * one[l].stress / 130e9);
+          Trial<VDouble> same{VDouble(one[l].stress), VDouble(one[l].old_stress), 130e9,
+                              VDouble(one[l].plastic_strain), VDouble(one[l].temperature), 1e-7,
+                              VDouble(one[l].heating)};
+          ASSERT_EQ(together.increment[l], law.flow(same).increment[0]); // to the bit
         }
     }
 }
