@@ -3,7 +3,7 @@
 #include "fem/elements/hex8.h"
 #include "fem/elements/line2.h"
 #include "fem/elements/quad4.h"
-#include "fem/elements/quad4_axisymmetric.h"
+#include "fem/elements/quad4_area_weighted.h"
 #include "fem/elements/b_bar.h"
 #include "fem/elements/spectral.h"
 #include "fem/integrated_group.h"
@@ -60,6 +60,11 @@ std::unique_ptr<ElementGroup<2>> make_element_group(const BodyMesh<2> &mesh, con
   if (mesh.element == "full")
     return mesh.axisymmetric ? build<IntegratedGroup<Full<2, true>>, 2>(mesh, place, options) :
                                build<IntegratedGroup<Full<2, false>>, 2>(mesh, place, options);
+  if (mesh.element == "area-weighted")
+  {
+    require(mesh.axisymmetric, "only rings are area-weighted");
+    return build<OnePointGroup<Quad4AreaWeighted>, 2>(mesh, place, options);
+  }
   require(mesh.element == "one-point", "unknown element");
   return mesh.axisymmetric ? build<OnePointGroup<Quad4Axisymmetric>, 2>(mesh, place, options) :
                              build<OnePointGroup<Quad4>, 2>(mesh, place, options);

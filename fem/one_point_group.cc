@@ -5,7 +5,7 @@
 #include "fem/elements/hex8.h"
 #include "fem/elements/line2.h"
 #include "fem/elements/quad4.h"
-#include "fem/elements/quad4_axisymmetric.h"
+#include "fem/elements/quad4_area_weighted.h"
 #include "fem/viscosity/neumann_richtmyer.h"
 
 #include <algorithm>
@@ -104,8 +104,11 @@ void OnePointGroup<Element>::initialise(const Nodes<dim> &nodes)
     gather(nodes.x, pack, x);
     deform<Element, VDouble>(x, still, VDouble(1.), shape, motion);
     stress(pack, shape, motion, 1.);
-    scatter(pack, 1);
+    if constexpr (!area_weighted)
+      scatter(pack, 1);
   }
+  if constexpr (area_weighted)
+    weigh(nodes);
 }
 
 template <class Element>
@@ -263,8 +266,11 @@ StepStatus OnePointGroup<Element>::advance(const Nodes<dim> &nodes, const TimeSt
 
     for (std::size_t k = 0; k < count; ++k)
       stress(begin + k, block.shape[k], block.motion[k], step.drift);
-    scatter(begin, count);
+    if constexpr (!area_weighted)
+      scatter(begin, count);
   }
+  if constexpr (area_weighted)
+    weigh(nodes);
   return {};
 }
 
@@ -272,7 +278,7 @@ template <class Element>
 Gram<Element, VDouble> OnePointGroup<Element>::inverse_mass_gram(std::size_t pack, const Shape &shape,
                                                                  const Gram<Element, VDouble> &unit) const
 {
-  if constexpr (Element::hoop)
+  if constexpr (Element::hoop && !area_weighted)
   {
     VDouble weight[corners];
     for (int a = 0; a < corners; ++a)
@@ -359,6 +365,8 @@ void OnePointGroup<Element>::stress(std::size_t pack, const Shape &shape, const 
   store(.5 * shape.volume * power + load(&half_hourglass_[e]) * (1. / dt), &half_power_[e]);
   VDouble force[corners][dim];
   fem::corner_forces<Element, VDouble>(shape, sigma, Q, force);
+  if constexpr (area_weighted)
+    Element::to_section(shape, sigma, force);
   double *f = &corner_force_[pack * corners * dim * width];
   for (int a = 0; a < corners; ++a)
     for (int i = 0; i < dim; ++i, f += width)
@@ -378,6 +386,7 @@ void OnePointGroup<Element>::stress(std::size_t pack, const Shape &shape, const 
 template class OnePointGroup<Line2>;
 template class OnePointGroup<Quad4>;
 template class OnePointGroup<Quad4Axisymmetric>;
+template class OnePointGroup<Quad4AreaWeighted>;
 template class OnePointGroup<Hex8>;
 
 } // namespace ogive::fem

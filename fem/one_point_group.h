@@ -39,6 +39,7 @@ private:
   static constexpr std::size_t width       = simd_width;
   static constexpr std::size_t block_packs = 8; ///< packs between two calls of the material
 
+  static constexpr bool area_weighted = requires { Element::area_weighted; };
   static constexpr std::uint32_t no_row = 0xffffffff;
 
   /// Corner positions or velocities of a pack; shape and rates of a pack.
@@ -57,6 +58,7 @@ private:
 
   void    find_rows();
   void    scatter(std::size_t begin, std::size_t count);
+  void    weigh(const Nodes<dim> &);
   void    gather(const std::array<AlignedVector<double>, dim> &, std::size_t pack, Corners &) const;
   bool    strain(const Nodes<dim> &, const TimeStep &, std::size_t pack, Block &, std::size_t held);
   VDouble internal_work(std::size_t pack, const Corners &v, double kick) const;
@@ -85,6 +87,7 @@ private:
   materials::Points     points_;
   AlignedVector<double>      corner_force_; ///< N at t_n, packs of corners x dim
   std::array<AlignedVector<double>, dim> nodal_force_; ///< N at t_n, sums over the corners at the body's nodes
+  std::vector<double>   ring_mass_, section_mass_; ///< kg, kg/m at the body's nodes; area-weighted only
   AlignedVector<double> Q_;                 ///< hourglass forces, N, packs of modes x dim
   AlignedVector<double> viscous_pressure_;  ///< Pa
   AlignedVector<double> half_hourglass_;    ///< J: half of Q_n times the last rates

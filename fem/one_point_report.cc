@@ -2,7 +2,7 @@
 #include "fem/elements/hex8.h"
 #include "fem/elements/line2.h"
 #include "fem/elements/quad4.h"
-#include "fem/elements/quad4_axisymmetric.h"
+#include "fem/elements/quad4_area_weighted.h"
 #include "fem/one_point_group.h"
 
 #include <algorithm>
@@ -164,5 +164,6 @@ void OnePointGroup<Element>::for_each_state(const Visitor &visit)
 template class OnePointGroup<Line2>;
 template class OnePointGroup<Quad4>;
 template class OnePointGroup<Quad4Axisymmetric>;
+template class OnePointGroup<Quad4AreaWeighted>;
 template class OnePointGroup<Hex8>;
 } // namespace ogive::fem

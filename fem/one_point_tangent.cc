@@ -2,7 +2,7 @@
 #include "fem/elements/hex8.h"
 #include "fem/elements/line2.h"
 #include "fem/elements/quad4.h"
-#include "fem/elements/quad4_axisymmetric.h"
+#include "fem/elements/quad4_area_weighted.h"
 #include "fem/one_point_group.h"
 #include "fem/viscosity/neumann_richtmyer.h"
 
@@ -92,5 +92,6 @@ void OnePointGroup<Element>::tangent(const Nodes<dim> &nodes, const std::array<A
 template class OnePointGroup<Line2>;
 template class OnePointGroup<Quad4>;
 template class OnePointGroup<Quad4Axisymmetric>;
+template class OnePointGroup<Quad4AreaWeighted>;
 template class OnePointGroup<Hex8>;
 } // namespace ogive::fem

@@ -53,7 +53,12 @@ void check_kind(const Place &p)
   const std::string &element = p.body.element.empty() ? p.scene.fem.element : p.body.element;
   if (d == Dimension::axisymmetric && p.body.method == Method::fem && element == "spectral")
     p.refuse("element", "spectral elements have no rings: their nodes on the axis would have no mass",
-             "\"one-point\" or \"b-bar\"");
+             "\"one-point\", \"area-weighted\" or \"b-bar\"");
+  if (d != Dimension::axisymmetric && p.body.method == Method::fem && element == "area-weighted")
+    p.refuse("element", "only rings are weighed over their section", "\"one-point\" or \"b-bar\"");
+  if (element == "area-weighted" && p.body.method == Method::fem && p.scene.fem.step_bound == "power-iteration")
+    p.refuse("element", "power iteration needs a symmetric stiffness, which area-weighted elements lack",
+             "\"one-point\" or \"b-bar\", or FEM/step bound = element");
 }
 
 /// Checks that dimensions of a shape are such that it has a volume.

@@ -90,7 +90,7 @@ void body_fields(Fields &f, Body &b, Dimension dimension)
   std::string element = b.element.empty() ? "default" : b.element;
   f.choice({"element", "formulation of its elements; default: that of the section FEM", Need::optional,
             {"method", {"fem"}}},
-           element, {"default", "one-point", "b-bar", "full", "spectral"});
+           element, {"default", "one-point", "b-bar", "full", "area-weighted", "spectral"});
   b.element = element == "default" ? "" : element;
   f.number({"jitter", "particles stand off their lattice by up to this share of the spacing along each axis, the same "
                       "ones in every run",

@@ -54,7 +54,7 @@ void sph_fields(Fields &f, SphOptions &o)
 void fem_fields(Fields &f, FemOptions &o)
 {
   f.choice({"element", "formulation of elements, unless their body names one"}, o.element,
-           {"one-point", "b-bar", "full", "spectral"});
+           {"one-point", "b-bar", "full", "area-weighted", "spectral"});
   f.choice({"degree", "polynomial degree of spectral elements"}, o.degree, {{"2", 2}, {"3", 3}, {"4", 4}});
   f.choice({"hourglass", "kind of hourglass control"}, o.hourglass, {"stiffness", "viscous"});
   f.number({"hourglass coefficient", "coefficient of the hourglass control"}, o.hourglass_coefficient,

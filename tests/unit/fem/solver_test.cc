@@ -256,6 +256,7 @@ TEST(StepBound, Line) { expect_step_bound<1>(.2, false, .75); }
 TEST(StepBound, PlaneStrain) { expect_step_bound<2>(.2, false, .6); }
 TEST(StepBound, Axisymmetric) { expect_step_bound<2>(.2, true, .5); }
 TEST(StepBound, Hex) { expect_step_bound<3>(.25, false, .5); }
+TEST(StepBound, AreaWeighted) { expect_step_bound<2>(.2, true, .4, "area-weighted"); }
 TEST(StepBound, BBarPlaneStrain) { expect_step_bound<2>(.2, false, .5, "b-bar"); }
 TEST(StepBound, BBarAxisymmetric) { expect_step_bound<2>(.2, true, .45, "b-bar"); }
 TEST(StepBound, BBarHex) { expect_step_bound<3>(.25, false, .5, "b-bar"); }
