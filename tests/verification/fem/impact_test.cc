@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Impact against closed forms and the best converged reference (validation.md A1, A3, C1).
-#include "tests/unit/fem/support.h"
+#include "tests/verification/fem/support.h"
 
 #include <gtest/gtest.h>
 
@@ -12,16 +12,6 @@ using namespace ogive::fem::test;
 
 namespace
 {
-template <int dim>
-Solver<dim> solver_for(const input::Body &body, const input::Scene &scene, const materials::Parameters &p)
-{
-  std::vector<BodyMesh<dim>> meshes;
-  meshes.push_back(make_mesh<dim>(body, scene, 0, make(p)));
-  return Solver<dim>({scene.fem, scene.dimension == input::Dimension::axisymmetric, scene.symmetry, scene.walls,
-                      scene.boundaries, std::vector<int>(scene.boundaries.size(), 0)},
-                     std::move(meshes));
-}
-
 /// A1: a bar of 160 elements hits a rigid wall in uniaxial strain (sides held):
 /// contact time 2L/c_L, restitution 1, wall stress rho c v.
 template <int dim>
@@ -117,11 +107,7 @@ void taylor(input::Dimension dimension, double spacing, double hourglass, double
   scene.dimension       = dimension;
   const bool rz         = dimension == input::Dimension::axisymmetric;
   const Vec3 axis       = rz ? Vec3::UnitY() : Vec3::UnitZ();
-  input::Body body      = box(Vec3::Zero(), Vec3::Zero(), spacing, -227 * axis);
-  body.shape.kind       = input::ShapeKind::cylinder;
-  body.shape.axis       = axis;
-  body.shape.radius     = 3.2e-3;
-  body.shape.length     = 32.4e-3;
+  const auto body       = taylor_bar(dimension, spacing);
   scene.walls.push_back({"wall", Vec3::Zero(), axis, Vec3::Zero(), 0});
   if (!rz)
     scene.symmetry = {{0}, {1}};
