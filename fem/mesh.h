@@ -28,6 +28,15 @@ struct BodyMesh
     double                               outward  = 1; ///< 1-D: sign of the outward normal
   };
 
+  /// A node that stays in the middle of `n` others of this mesh: of an edge (2)
+  /// or a face (4) of a coarser neighbour.
+  struct Hanging
+  {
+    std::uint32_t                node = 0;
+    std::size_t                  n    = 0;
+    std::array<std::uint32_t, 4> master{};
+  };
+
   int                                        body = -1; ///< index into the scene's bodies
   std::shared_ptr<const materials::Material> material;
   bool                                       axisymmetric = false; ///< dim 2: x = r, y = axis
@@ -35,6 +44,7 @@ struct BodyMesh
   std::array<std::vector<double>, dim>       v;  ///< initial velocity, m/s
   std::vector<std::uint32_t>                 cells;  ///< corners per cell, VTK order
   std::vector<Facet>                         facets; ///< all of the boundary
+  std::vector<Hanging>                       hanging;
   std::vector<std::string>                   boundary_names; ///< "x-" .. "z+"; "bottom", "top", "side", "inner", "outer"; ids of a mesh file
 
   std::size_t n_nodes() const { return x[0].size(); }

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "fem/absorbing.h"
 #include "fem/boundary.h"
+#include "fem/constraints.h"
 #include "fem/corner_sum.h"
 #include "fem/element_group.h"
+#include "fem/loads.h"
 #include "fem/nodes.h"
 #include "fem/solver.h"
 
@@ -27,10 +30,12 @@ struct Solver<dim>::Implementation
   std::vector<std::unique_ptr<ElementGroup<dim>>> groups; ///< one a body
   std::vector<Part>                               parts;  ///< beside groups
   PrescribedMotion<dim>                           prescribed;
-  Pressures<dim>                                  pressures;
+  Constraints<dim>                                constraints;
+  Loads<dim>                                      loads;
+  AbsorbingFaces<dim>                             absorbing;
   RigidWalls<dim>                                 walls;
   BoundaryWork                                    work;
-  std::array<AlignedVector<double>, dim>          v_old, load; ///< m/s; N, pressures at t_n
+  std::array<AlignedVector<double>, dim>          v_old, load; ///< m/s; N, pressures and body forces at t_n
   Surface<dim>                                    face;        ///< lists only; spans are set on demand
   std::uint64_t                                   updates = 0;
   std::vector<AlignedVector<double>>              mark;        ///< the snapshot
@@ -38,7 +43,8 @@ struct Solver<dim>::Implementation
   void       build(std::vector<BodyMesh<dim>>);
   void       build_surface(const std::vector<BodyMesh<dim>> &);
   void       kick(const TimeStep &);
-  void       book_pressure(double kick);
+  void       fold_forces();
+  void       book_loads(double kick);
   void       drift(double dt);
   StepStatus check_nodes() const;
 
@@ -54,10 +60,10 @@ struct Solver<dim>::Implementation
     }
     f("mass", nodes.mass);
     f("wall_force", walls.forces());
-    AlignedVector<double> booked{work.external,   work.wall_loss,  work.friction,
+    AlignedVector<double> booked{work.external,   work.wall_loss,  work.friction,  work.absorbed,
                                  work.impulse[0], work.impulse[1], work.impulse[2]};
     f("work", booked);
-    work = {booked.at(0), booked.at(1), booked.at(2), {booked.at(3), booked.at(4), booked.at(5)}};
+    work = {booked.at(0), booked.at(1), booked.at(2), booked.at(3), {booked.at(4), booked.at(5), booked.at(6)}};
     for (std::size_t g = 0; g < groups.size(); ++g)
       groups[g]->for_each_state([&](const std::string &name, AlignedVector<double> &a) {
         f("group" + std::to_string(g) + "/" + name, a);
