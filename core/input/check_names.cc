@@ -141,10 +141,12 @@ void check_interfaces(const Scene &s, const Listing &listing)
     if (!i.joins_meshes() && pair.a.method != Method::sph)
       throw InputError(listing.where(section, pair.first), "the body \"" + pair.a.name + "\" is made of elements",
                        "a body with method sph");
-    for (const auto &[entry, body] : {std::pair{pair.first, &pair.a}, std::pair{pair.second, &pair.b}})
-      if ((i.joins_meshes() || body == &pair.b) && body->method != Method::fem)
-        throw InputError(listing.where(section, entry), "the body \"" + body->name + "\" is made of particles",
-                         "a body with method fem");
+    if (i.joins_meshes() && pair.a.method != Method::fem)
+      throw InputError(listing.where(section, pair.first), "the body \"" + pair.a.name + "\" is made of particles",
+                       "a body with method fem");
+    if (pair.b.method != Method::fem)
+      throw InputError(listing.where(section, pair.second), "the body \"" + pair.b.name + "\" is made of particles",
+                       "a body with method fem");
     if (&pair.a == &pair.b)
       throw InputError(listing.where(section, pair.second), "the body \"" + pair.a.name + "\" is tied to itself",
                        "two different bodies");
