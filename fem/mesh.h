@@ -63,6 +63,10 @@ template <int dim>
 BodyMesh<dim> make_mesh(const input::Body &, const input::Scene &, int body_index,
                         std::shared_ptr<const materials::Material>);
 
+/// Moves hanging nodes to the middle of their masters.
+template <int dim>
+void straighten(BodyMesh<dim> &);
+
 /// Throws InputError naming the first cell whose map is not invertible at a
 /// corner (or, in axial symmetry, that reaches r < 0).
 template <int dim>
