@@ -22,7 +22,7 @@ AbsorbingFaces<dim>::AbsorbingFaces(const Parameters &p, const std::vector<BodyM
       const materials::Material &material = *meshes[m].material;
       const double               normal   = material.density() * material.sound_speed();
       const double               shear    = std::sqrt(material.density() * material.shear_modulus());
-      for_each_facet(p.boundaries[b], meshes[m], [&](auto facet) {
+      for_each_facet(p.boundaries[b], meshes[m], constraints, m, [&](auto facet) {
         for (auto &node : facet.node)
         {
           node += static_cast<std::uint32_t>(first_node[m]);

@@ -45,7 +45,7 @@ PrescribedMotion<dim>::PrescribedMotion(const Parameters &p, const std::vector<B
     const int  name   = boundary.kind == input::BoundaryKind::fixed ? held : static_cast<int>(b);
     for (std::size_t m = 0; m < meshes.size(); ++m)
       if (meshes[m].body == p.boundary_bodies.at(b))
-        for_each_facet(boundary, meshes[m], [&](const auto &facet) {
+        for_each_facet(boundary, meshes[m], constraints, m, [&](const auto &facet) {
           for (const std::uint32_t node : facet.node)
             for (int i = 0; i < dim; ++i)
               if (boundary.fix[i] && !constraints.is_slave(first_node[m] + node))

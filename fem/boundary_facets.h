@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "fem/constraints.h"
 #include "fem/mesh.h"
 #include "fem/nodes.h"
 
@@ -12,18 +13,27 @@
 
 namespace ogive::fem
 {
-/// Calls f(facet) for the facets of a scene boundary. InputError if the body
-/// has no such face.
+/// Calls f(facet) for the facets of a scene boundary on mesh `m` of the solver.
+/// "all" is all of the surface: without cuts by symmetry planes; what a tie covers
+/// is no surface. InputError if the body has no such face, or none that is free.
 template <int dim, class F>
-void for_each_facet(const input::Boundary &boundary, const BodyMesh<dim> &mesh, F &&f)
+void for_each_facet(const input::Boundary &boundary, const BodyMesh<dim> &mesh, const Constraints<dim> &constraints,
+                    std::size_t m, F &&f)
 {
-  bool found = false;
-  for (const auto &facet : mesh.facets)
-    if (boundary.face == "all" || mesh.boundary_names[facet.boundary] == boundary.face)
-    {
-      found = true;
-      f(facet);
-    }
+  bool found = false, open = false;
+  for (std::size_t k = 0; k < mesh.facets.size(); ++k)
+  {
+    const std::string &name = mesh.boundary_names[mesh.facets[k].boundary];
+    if (boundary.face == "all" ? name.starts_with("symmetry") : name != boundary.face)
+      continue;
+    found = true;
+    if (constraints.covered(m, k))
+      continue;
+    open = true;
+    f(mesh.facets[k]);
+  }
+  if (found && !open)
+    throw InputError({"", 0, boundary.name}, "a tie covers the face \"" + boundary.face + "\"", "a free face");
   if (!found)
   {
     std::string names;

@@ -46,40 +46,44 @@ Constraints<dim>::Constraints(const Parameters &p, std::vector<BodyMesh<dim>> &m
     covered_.emplace_back(meshes[m].facets.size(), false);
   }
   for (const Tie &tie : p.ties)
-  {
-    const std::size_t s = mesh_of(meshes, tie.slave, tie.name), m = mesh_of(meshes, tie.master, tie.name);
-    TieReport         report{tie.name, 0, 0};
-    std::vector<bool> tied(meshes[s].n_nodes(), false), inner(meshes[s].facets.size());
-    for (const auto &link : find_tied(meshes[s], meshes[m], tie.tolerance))
-    {
-      tied[link.node] = true;
-      Terms &row      = terms[first_node[s] + link.node];
-      if (!row.node.empty()) // hangs, or follows another body already
-        continue;
-      ++report.nodes;
-      report.largest_gap = std::max(report.largest_gap, link.gap);
-      for (int k = 0; k < link.n_masters; ++k)
-        if (link.weight[k] > 0)
-        {
-          row.node.push_back(static_cast<std::uint32_t>(first_node[m] + link.master[k]));
-          row.weight.push_back(link.weight[k]);
-        }
-    }
-    if (report.nodes == 0)
-      throw InputError({"", 0, "Interfaces/" + tie.name}, "no surface node of the slave lies on the master",
-                       "two bodies that touch, or a greater tolerance");
-    for (std::size_t f = 0; f < inner.size(); ++f)
-      inner[f] = std::all_of(meshes[s].facets[f].node.begin(), meshes[s].facets[f].node.end(),
-                             [&](std::uint32_t a) { return tied[a]; });
-    mark_covered(meshes[m], meshes[s], inner, tie.tolerance, covered_[m]);
-    for (std::size_t f = 0; f < inner.size(); ++f)
-      covered_[s][f] = covered_[s][f] || inner[f];
-    ties_.push_back(report);
-  }
+    add_tie(tie, mesh_of(meshes, tie.slave, tie.name), mesh_of(meshes, tie.master, tie.name), meshes, first_node, terms);
   store(terms);
   place(meshes, first_node);
   for (const Tie &tie : p.ties)
     check_quality(meshes[mesh_of(meshes, tie.slave, tie.name)], "Interfaces/" + tie.name);
+}
+
+template <int dim>
+void Constraints<dim>::add_tie(const Tie &tie, std::size_t s, std::size_t m, const std::vector<BodyMesh<dim>> &meshes,
+                               const std::vector<std::size_t> &first_node, std::vector<Terms> &terms)
+{
+  TieReport         report{tie.name, 0, 0};
+  std::vector<bool> tied(meshes[s].n_nodes(), false), inner(meshes[s].facets.size());
+  for (const auto &link : find_tied(meshes[s], meshes[m], tie.tolerance))
+  {
+    tied[link.node] = true;
+    Terms &row      = terms[first_node[s] + link.node];
+    if (!row.node.empty()) // hangs, or follows another body already
+      continue;
+    ++report.nodes;
+    report.largest_gap = std::max(report.largest_gap, link.gap);
+    for (int k = 0; k < link.n_masters; ++k)
+      if (link.weight[k] > 0)
+      {
+        row.node.push_back(static_cast<std::uint32_t>(first_node[m] + link.master[k]));
+        row.weight.push_back(link.weight[k]);
+      }
+  }
+  if (report.nodes == 0)
+    throw InputError({"", 0, "Interfaces/" + tie.name}, "no surface node of the slave lies on the master",
+                     "two bodies that touch, or a greater tolerance");
+  for (std::size_t f = 0; f < inner.size(); ++f)
+    inner[f] = std::all_of(meshes[s].facets[f].node.begin(), meshes[s].facets[f].node.end(),
+                           [&](std::uint32_t a) { return tied[a]; });
+  mark_covered(meshes[m], meshes[s], inner, tie.tolerance, covered_[m]);
+  for (std::size_t f = 0; f < inner.size(); ++f)
+    covered_[s][f] = covered_[s][f] || inner[f];
+  ties_.push_back(report);
 }
 
 /// Depth first, so that what a slave's masters are is settled before its own row.

@@ -79,6 +79,8 @@ private:
     std::vector<std::uint32_t> node;
     std::vector<double>        weight;
   };
+  void add_tie(const Tie &, std::size_t slave_mesh, std::size_t master_mesh, const std::vector<BodyMesh<dim>> &,
+               const std::vector<std::size_t> &first_node, std::vector<Terms> &);
   void resolve(std::uint32_t slave, std::vector<Terms> &terms, std::vector<char> &state) const;
   void store(const std::vector<Terms> &);
   void place(std::vector<BodyMesh<dim>> &, const std::vector<std::size_t> &first_node) const;

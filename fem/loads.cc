@@ -9,7 +9,7 @@ namespace ogive::fem
 {
 template <int dim>
 Loads<dim>::Loads(const Parameters &p, const std::vector<BodyMesh<dim>> &meshes,
-                  const std::vector<std::size_t> &first_node)
+                  const std::vector<std::size_t> &first_node, const Constraints<dim> &constraints)
   : axisymmetric_(p.axisymmetric)
 {
   for (std::size_t b = 0; b < p.boundaries.size(); ++b)
@@ -21,7 +21,7 @@ Loads<dim>::Loads(const Parameters &p, const std::vector<BodyMesh<dim>> &meshes,
       if (meshes[m].body != p.boundary_bodies.at(b))
         continue;
       if (boundary.kind == input::BoundaryKind::pressure)
-        for_each_facet(boundary, meshes[m], [&](auto facet) {
+        for_each_facet(boundary, meshes[m], constraints, m, [&](auto facet) {
           for (auto &node : facet.node)
             node += static_cast<std::uint32_t>(first_node[m]);
           pressures_.push_back({facet, boundary.pressure, b});

@@ -18,7 +18,8 @@ class Loads
 {
 public:
   Loads() = default;
-  Loads(const Parameters &, const std::vector<BodyMesh<dim>> &, const std::vector<std::size_t> &first_node);
+  Loads(const Parameters &, const std::vector<BodyMesh<dim>> &, const std::vector<std::size_t> &first_node,
+        const Constraints<dim> &);
 
   bool empty() const { return pressures_.empty() && body_forces_.empty(); }
   /// The forces at `time` (s) and nodes.x, N.

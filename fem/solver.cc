@@ -65,7 +65,7 @@ void Solver<dim>::Implementation::build(std::vector<BodyMesh<dim>> meshes)
   prescribed = PrescribedMotion<dim>(parameters, meshes, first_node, constraints);
   prescribed.start(nodes);
   constraints.follow(nodes);
-  loads     = Loads<dim>(parameters, meshes, first_node);
+  loads     = Loads<dim>(parameters, meshes, first_node, constraints);
   absorbing = AbsorbingFaces<dim>(parameters, meshes, first_node, constraints);
   build_surface(meshes);
   std::vector<std::uint32_t> free = face.contact_points; // slaves stop where their masters do

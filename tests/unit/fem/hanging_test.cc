@@ -119,6 +119,28 @@ TEST(Coarsen, CylinderIsRoundNearTheFoot)
   EXPECT_GT(mesh.hanging.size(), 0u);
 }
 
+// A plate of 100 mm radius and 12 mm thickness, edges of 1 mm within 20 mm of the
+// axis, 2 mm to 40 mm, 4 mm to the rim: the count is area over edge^2 times the
+// elements through the thickness, ring by ring.
+TEST(Coarsen, SavesElementsOnAPlate)
+{
+  input::Scene scene;
+  scene.symmetry    = {{0}, {1}};
+  input::Body body  = box(Vec3::Zero(), Vec3::Zero(), 1e-3);
+  body.shape.kind   = input::ShapeKind::disc;
+  body.shape.radius = .1;
+  body.shape.length = .012;
+  const auto even   = make_mesh<3>(body, scene, 0, make(copper()));
+  body.coarsen = 2, body.coarsen_distance = .02, body.coarsen_along = Vec3::UnitZ();
+  const auto   graded   = make_mesh<3>(body, scene, 0, make(copper()));
+  const double quarter  = M_PI / 4;
+  const double estimate = quarter * (12 * 400 + 6 * 1200 / 4. + 3 * 8400 / 16.);
+  std::printf("plate: %zu elements even, %zu graded\n", even.n_cells(), graded.n_cells());
+  EXPECT_NEAR(even.n_cells() / (quarter * 12e4), 1, .1);
+  EXPECT_NEAR(graded.n_cells() / estimate, 1, .5); // cells at a border are fine as a whole
+  EXPECT_NEAR(graded.volume() / (quarter * 1e-2 * .012), 1, 2e-3); // the rim has chords of 4 mm
+}
+
 // Affine velocities give every element the same stress across hanging nodes, and
 // the uniform stress puts no force on the free nodes inside.
 template <int dim>

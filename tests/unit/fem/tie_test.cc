@@ -218,6 +218,24 @@ TEST(Tie, ReportsAndHidesTheSeam)
   EXPECT_EQ(loose - solver->surface().facets.size(), 9u + 16u);
 }
 
+// "all" of a tied body's surface leaves out the seam; its covered face has nothing
+// for a boundary to act on.
+TEST(Tie, BoundariesActOnTheFreeSurface)
+{
+  Parameters p = tied();
+  p.boundaries = {boundary("all", input::BoundaryKind::pressure)};
+  p.boundaries[0].pressure = 1e6;
+  auto      solver = solver_with<2>(pair_of<2>(), p);
+  Driver<2> driver{*solver};
+  driver.fixed_dt = 1e-9;
+  ASSERT_TRUE(driver.once().ok);
+  // pressed from below alone, over 3 H
+  EXPECT_NEAR(solver->balance().momentum.y() / (1e6 * 3 * H * .5e-9), 1, 1e-9);
+  EXPECT_NEAR(solver->balance().momentum.x(), 0, 1e-12 * 1e6 * 3 * H * .5e-9);
+  p.boundaries[0].face = "y+";
+  EXPECT_THROW(solver_with<2>(pair_of<2>(), p), InputError);
+}
+
 TEST(Tie, RefusesWhatItCannotTie)
 {
   EXPECT_THROW(solver_with<2>(pair_of<2>(.75 * H, .2 * H), tied()), InputError);
