@@ -116,7 +116,9 @@ TEST(Absorbing, ClosedForm)
 
 // At 8, 12 and 16 elements a wavelength. The mesh's own error is of second order,
 // so the differences from the closed form fall at least as the square, and what
-// they tend to (Richardson) is the closed form within the packet's width in angle.
+// they tend to (Richardson) is the closed form of the packet. The strip does
+// not follow the 5 % of it beyond two spreads to their end; their share differs from
+// the mean by the order of .06, so by .003 in all.
 void expect_oblique(bool p_wave, int degrees)
 {
   const double angle = degrees * M_PI / 180, spread = 1 / (std::sqrt(2.) * 2 * 2 * M_PI);
@@ -128,7 +130,7 @@ void expect_oblique(bool p_wave, int degrees)
   std::printf("%s at %d degrees, energy that comes back at 8, 12, 16 elements a wavelength: %.4f %.4f %.4f, limit "
               "%.4f; plane wave %.4f, packet %.4f\n",
               p_wave ? "P" : "S", degrees, left[0], left[1], left[2], limit, exact, packet);
-  EXPECT_NEAR(limit, packet, .01);
+  EXPECT_NEAR(limit, packet, .003);
   EXPECT_LT(std::abs(left[2] - packet), std::abs(left[0] - packet) / 4 + 1e-3);
 }
 TEST(Absorbing, P30) { expect_oblique(true, 30); }
