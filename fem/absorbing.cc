@@ -11,8 +11,9 @@ namespace ogive::fem
 {
 template <int dim>
 AbsorbingFaces<dim>::AbsorbingFaces(const Parameters &p, const std::vector<BodyMesh<dim>> &meshes,
-                                    const std::vector<std::size_t> &first_node, const Constraints<dim> &constraints)
-  : axisymmetric_(p.axisymmetric)
+                                    const std::vector<std::size_t> &first_node,
+                                    const Constraints<dim>         &constraints)
+    : axisymmetric_(p.axisymmetric)
 {
   for (std::size_t b = 0; b < p.boundaries.size(); ++b)
     for (std::size_t m = 0; m < meshes.size(); ++m)
@@ -22,14 +23,16 @@ AbsorbingFaces<dim>::AbsorbingFaces(const Parameters &p, const std::vector<BodyM
       const materials::Material &material = *meshes[m].material;
       const double               normal   = material.density() * material.sound_speed();
       const double               shear    = std::sqrt(material.density() * material.shear_modulus());
-      for_each_facet(p.boundaries[b], meshes[m], constraints, m, [&](auto facet) {
-        for (auto &node : facet.node)
-        {
-          node += static_cast<std::uint32_t>(first_node[m]);
-          slot(node);
-        }
-        facets_.push_back({facet, normal, shear});
-      });
+      for_each_facet(p.boundaries[b], meshes[m], constraints, m,
+                     [&](auto facet)
+                     {
+                       for (auto &node : facet.node)
+                       {
+                         node += static_cast<std::uint32_t>(first_node[m]);
+                         slot(node);
+                       }
+                       facets_.push_back({facet, normal, shear});
+                     });
     }
   for (std::size_t k = 0, n = nodes_.size(); k < n; ++k)
     constraints.for_each_master(nodes_[k], [&](std::uint32_t master, double) { slot(master); });
@@ -53,16 +56,18 @@ void AbsorbingFaces<dim>::apply(const TimeStep &step, const PrescribedMotion<dim
 {
   std::fill(damping_.begin(), damping_.end(), Matrix::Zero());
   for (const Facet &f : facets_)
-    for_each_area_share<dim>(nodes, f.facet, axisymmetric_, [&](int a, const Vector &share) {
-      const double area = share.norm();
-      if (area > 0)
-        damping_[slot_.at(f.facet.node[a])] += (f.normal - f.shear) / area * share * share.transpose() +
-                                               f.shear * area * Matrix::Identity();
-    });
+    for_each_area_share<dim>(nodes, f.facet, axisymmetric_,
+                             [&](int a, const Vector &share)
+                             {
+                               const double area = share.norm();
+                               if (area > 0)
+                                 damping_[slot_.at(f.facet.node[a])] +=
+                                     (f.normal - f.shear) / area * share * share.transpose() +
+                                     f.shear * area * Matrix::Identity();
+                             });
   for (std::size_t k = 0; k < nodes_.size(); ++k)
-    constraints.for_each_master(nodes_[k], [&](std::uint32_t master, double weight) {
-      damping_[slot_.at(master)] += weight * damping_[k];
-    });
+    constraints.for_each_master(nodes_[k], [&](std::uint32_t master, double weight)
+                                { damping_[slot_.at(master)] += weight * damping_[k]; });
   for (std::size_t k = 0; k < nodes_.size(); ++k)
   {
     const std::uint32_t a = nodes_[k];

@@ -28,8 +28,8 @@ class AbsorbingFaces
 {
 public:
   AbsorbingFaces() = default;
-  AbsorbingFaces(const Parameters &, const std::vector<BodyMesh<dim>> &, const std::vector<std::size_t> &first_node,
-                 const Constraints<dim> &);
+  AbsorbingFaces(const Parameters &, const std::vector<BodyMesh<dim>> &,
+                 const std::vector<std::size_t> &first_node, const Constraints<dim> &);
 
   bool empty() const { return facets_.empty(); }
   /// Corrects velocities that were kicked without the dashpots. Prescribed
@@ -44,7 +44,7 @@ private:
   using Vector = Eigen::Matrix<double, dim, 1>;
   struct Facet
   {
-    typename BodyMesh<dim>::Facet facet; ///< nodes counted among all of the solver
+    typename BodyMesh<dim>::Facet facet;         ///< nodes counted among all of the solver
     double                        normal, shear; ///< impedances rho c, kg/(m^2 s)
   };
   std::size_t slot(std::uint32_t node);

@@ -17,8 +17,8 @@ namespace ogive::fem
 /// "all" is all of the surface: without cuts by symmetry planes; what a tie covers
 /// is no surface. InputError if the body has no such face, or none that is free.
 template <int dim, class F>
-void for_each_facet(const input::Boundary &boundary, const BodyMesh<dim> &mesh, const Constraints<dim> &constraints,
-                    std::size_t m, F &&f)
+void for_each_facet(const input::Boundary &boundary, const BodyMesh<dim> &mesh,
+                    const Constraints<dim> &constraints, std::size_t m, F &&f)
 {
   bool found = false, open = false;
   for (std::size_t k = 0; k < mesh.facets.size(); ++k)
@@ -33,7 +33,8 @@ void for_each_facet(const input::Boundary &boundary, const BodyMesh<dim> &mesh, 
     f(mesh.facets[k]);
   }
   if (found && !open)
-    throw InputError({"", 0, boundary.name}, "a tie covers the face \"" + boundary.face + "\"", "a free face");
+    throw InputError({"", 0, boundary.name}, "a tie covers the face \"" + boundary.face + "\"",
+                     "a free face");
   if (!found)
   {
     std::string names;
@@ -49,8 +50,8 @@ void for_each_facet(const input::Boundary &boundary, const BodyMesh<dim> &mesh, 
 /// metre in plane strain, 1 in one dimension, of the whole ring in axial
 /// symmetry: int N_a 2 pi r ds).
 template <int dim, class F>
-void for_each_area_share(const Nodes<dim> &nodes, const typename BodyMesh<dim>::Facet &facet, bool axisymmetric,
-                         F &&f)
+void for_each_area_share(const Nodes<dim> &nodes, const typename BodyMesh<dim>::Facet &facet,
+                         bool axisymmetric, F &&f)
 {
   using Vector = Eigen::Matrix<double, dim, 1>;
   const auto x = [&](int a, int i) { return nodes.x[i][facet.node[a]]; };

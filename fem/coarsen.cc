@@ -77,7 +77,8 @@ void set_manifold(const input::Body &body, const input::Scene &scene, const std:
       else
         for (const unsigned int f : cell->face_indices())
           if (cell->face(f)->at_boundary())
-            if (const std::string &name = names[cell->face(f)->boundary_id()]; name == "side" || name == "outer")
+            if (const std::string &name = names[cell->face(f)->boundary_id()];
+                name == "side" || name == "outer")
               cell->face(f)->set_all_manifold_ids(round_faces);
     Point<dim> centre;
     for (int i = 0; i < dim; ++i)
@@ -127,9 +128,9 @@ template <int dim>
 std::vector<std::string> make_coarsened(const input::Body &body, const input::Scene &scene,
                                         Triangulation<dim> &triangulation)
 {
-  const int   levels = static_cast<int>(body.coarsen);
-  input::Body coarse = body;
-  coarse.spacing     = std::ldexp(body.spacing, levels);
+  const int   levels         = static_cast<int>(body.coarsen);
+  input::Body coarse         = body;
+  coarse.spacing             = std::ldexp(body.spacing, levels);
   const ShapeMesh<dim> shape = mesh_shape<dim>(coarse, scene);
   triangulation.create_triangulation(shape.raw.vertices, shape.raw.cells, dealii::SubCellData());
   const std::vector<std::string> names = number_boundaries(shape, triangulation);
@@ -159,7 +160,8 @@ std::vector<HangingVertex> hanging_vertices(const Triangulation<dim> &triangulat
   if constexpr (dim > 1)
   {
     std::set<unsigned int> seen;
-    const auto             add = [&](const HangingVertex &h) {
+    const auto             add = [&](const HangingVertex &h)
+    {
       if (seen.insert(h.vertex).second)
         found.push_back(h);
     };
@@ -173,7 +175,8 @@ std::vector<HangingVertex> hanging_vertices(const Triangulation<dim> &triangulat
           if (const auto face = cell->face(f); face->has_children())
             add({face->child(0)->vertex_index(3),
                  4,
-                 {face->vertex_index(0), face->vertex_index(1), face->vertex_index(2), face->vertex_index(3)}});
+                 {face->vertex_index(0), face->vertex_index(1), face->vertex_index(2),
+                  face->vertex_index(3)}});
     }
   }
   return found;
@@ -195,11 +198,11 @@ void straighten(BodyMesh<dim> &mesh)
       }
 }
 
-#define OGIVE_INSTANTIATE(dim)                                                                              \
-  template std::vector<std::string>   make_coarsened<dim>(const input::Body &, const input::Scene &,       \
-                                                        Triangulation<dim> &);                              \
+#define OGIVE_INSTANTIATE(dim)                                                                                 \
+  template std::vector<std::string>   make_coarsened<dim>(const input::Body &, const input::Scene &,           \
+                                                        Triangulation<dim> &);                               \
   template void                       name_boundaries<dim>(const std::vector<std::string> &, BodyMesh<dim> &); \
-  template std::vector<HangingVertex> hanging_vertices<dim>(const Triangulation<dim> &);                    \
+  template std::vector<HangingVertex> hanging_vertices<dim>(const Triangulation<dim> &);                       \
   template void                       straighten<dim>(BodyMesh<dim> &);
 OGIVE_INSTANTIATE(1)
 OGIVE_INSTANTIATE(2)

@@ -22,7 +22,8 @@ namespace ogive::fem
 /// triangulation must limit level differences at vertices. Returns the names of
 /// its boundary ids. New points of curved faces lie on the true shape.
 template <int dim>
-std::vector<std::string> make_coarsened(const input::Body &, const input::Scene &, dealii::Triangulation<dim> &);
+std::vector<std::string> make_coarsened(const input::Body &, const input::Scene &,
+                                        dealii::Triangulation<dim> &);
 
 /// Names the boundaries of a reduced mesh, so far called by their ids.
 template <int dim>

@@ -25,7 +25,7 @@ template <int dim>
 Constraints<dim>::Constraints(const Parameters &p, std::vector<BodyMesh<dim>> &meshes,
                               const std::vector<std::size_t> &first_node)
 {
-  std::size_t n = 0;
+  std::size_t n   = 0;
   bool        any = !p.ties.empty();
   for (const auto &mesh : meshes)
   {
@@ -40,13 +40,15 @@ Constraints<dim>::Constraints(const Parameters &p, std::vector<BodyMesh<dim>> &m
     for (const auto &hanging : meshes[m].hanging)
       for (std::size_t k = 0; k < hanging.n; ++k)
       {
-        terms[first_node[m] + hanging.node].node.push_back(static_cast<std::uint32_t>(first_node[m] + hanging.master[k]));
+        terms[first_node[m] + hanging.node].node.push_back(
+            static_cast<std::uint32_t>(first_node[m] + hanging.master[k]));
         terms[first_node[m] + hanging.node].weight.push_back(1. / hanging.n);
       }
     covered_.emplace_back(meshes[m].facets.size(), false);
   }
   for (const Tie &tie : p.ties)
-    add_tie(tie, mesh_of(meshes, tie.slave, tie.name), mesh_of(meshes, tie.master, tie.name), meshes, first_node, terms);
+    add_tie(tie, mesh_of(meshes, tie.slave, tie.name), mesh_of(meshes, tie.master, tie.name), meshes,
+            first_node, terms);
   store(terms);
   place(meshes, first_node);
   for (const Tie &tie : p.ties)
@@ -54,7 +56,8 @@ Constraints<dim>::Constraints(const Parameters &p, std::vector<BodyMesh<dim>> &m
 }
 
 template <int dim>
-void Constraints<dim>::add_tie(const Tie &tie, std::size_t s, std::size_t m, const std::vector<BodyMesh<dim>> &meshes,
+void Constraints<dim>::add_tie(const Tie &tie, std::size_t s, std::size_t m,
+                               const std::vector<BodyMesh<dim>> &meshes,
                                const std::vector<std::size_t> &first_node, std::vector<Terms> &terms)
 {
   TieReport         report{tie.name, 0, 0};
@@ -90,7 +93,12 @@ void Constraints<dim>::add_tie(const Tie &tie, std::size_t s, std::size_t m, con
 template <int dim>
 void Constraints<dim>::resolve(std::uint32_t slave, std::vector<Terms> &terms, std::vector<char> &state) const
 {
-  enum : char { fresh, open, settled };
+  enum : char
+  {
+    fresh,
+    open,
+    settled
+  };
   if (terms[slave].node.empty() || state[slave] == settled)
     return;
   if (state[slave] == open)
@@ -137,9 +145,11 @@ void Constraints<dim>::store(const std::vector<Terms> &given)
 }
 
 template <int dim>
-void Constraints<dim>::place(std::vector<BodyMesh<dim>> &meshes, const std::vector<std::size_t> &first_node) const
+void Constraints<dim>::place(std::vector<BodyMesh<dim>>     &meshes,
+                             const std::vector<std::size_t> &first_node) const
 {
-  const auto at = [&](std::uint32_t node) {
+  const auto at = [&](std::uint32_t node)
+  {
     std::size_t m = meshes.size() - 1;
     while (first_node[m] > node)
       --m;
@@ -151,10 +161,12 @@ void Constraints<dim>::place(std::vector<BodyMesh<dim>> &meshes, const std::vect
     for (int i = 0; i < dim; ++i)
     {
       double x = 0;
-      for_each_master(slave, [&](std::uint32_t master, double weight) {
-        const auto [m, b] = at(master);
-        x += weight * meshes[m].x[i][b];
-      });
+      for_each_master(slave,
+                      [&](std::uint32_t master, double weight)
+                      {
+                        const auto [m, b] = at(master);
+                        x += weight * meshes[m].x[i][b];
+                      });
       meshes[s].x[i][a] = x;
     }
   }
@@ -167,20 +179,24 @@ void Constraints<dim>::fold_mass(Nodes<dim> &nodes)
     return;
   folded_.resize(nodes.size(), 0.);
   for (const std::uint32_t slave : slaves_)
-    for_each_master(slave, [&](std::uint32_t master, double weight) {
-      folded_[master] += weight * nodes.mass[slave];
-      nodes.mass[master] += weight * nodes.mass[slave];
-    });
+    for_each_master(slave,
+                    [&](std::uint32_t master, double weight)
+                    {
+                      folded_[master] += weight * nodes.mass[slave];
+                      nodes.mass[master] += weight * nodes.mass[slave];
+                    });
 }
 
 template <int dim>
 void Constraints<dim>::add_mass(Nodes<dim> &nodes, std::uint32_t node, double mass)
 {
   nodes.mass.at(node) += mass;
-  for_each_master(node, [&](std::uint32_t master, double weight) {
-    folded_[master] += weight * mass;
-    nodes.mass[master] += weight * mass;
-  });
+  for_each_master(node,
+                  [&](std::uint32_t master, double weight)
+                  {
+                    folded_[master] += weight * mass;
+                    nodes.mass[master] += weight * mass;
+                  });
 }
 
 template <int dim>

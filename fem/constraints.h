@@ -28,7 +28,8 @@ public:
   /// Reads BodyMesh::hanging, finds the tied nodes, resolves slaves of slaves to
   /// their last masters and moves slave nodes of `meshes` onto their places.
   /// InputError for a tie without nodes or one whose nodes follow themselves.
-  Constraints(const Parameters &, std::vector<BodyMesh<dim>> &meshes, const std::vector<std::size_t> &first_node);
+  Constraints(const Parameters &, std::vector<BodyMesh<dim>> &meshes,
+              const std::vector<std::size_t> &first_node);
 
   bool empty() const { return slaves_.empty(); }
   bool is_slave(std::size_t node) const { return !row_.empty() && row_[node] >= 0; }
@@ -60,10 +61,12 @@ public:
     {
       double f[dim];
       force_of(slave, f);
-      for_each_master(slave, [&](std::uint32_t master, double weight) {
-        for (int i = 0; i < dim; ++i)
-          nodes.force[i][master] += weight * f[i];
-      });
+      for_each_master(slave,
+                      [&](std::uint32_t master, double weight)
+                      {
+                        for (int i = 0; i < dim; ++i)
+                          nodes.force[i][master] += weight * f[i];
+                      });
     }
   }
   /// Velocities of slaves from those of their masters.
@@ -79,8 +82,9 @@ private:
     std::vector<std::uint32_t> node;
     std::vector<double>        weight;
   };
-  void add_tie(const Tie &, std::size_t slave_mesh, std::size_t master_mesh, const std::vector<BodyMesh<dim>> &,
-               const std::vector<std::size_t> &first_node, std::vector<Terms> &);
+  void add_tie(const Tie &, std::size_t slave_mesh, std::size_t master_mesh,
+               const std::vector<BodyMesh<dim>> &, const std::vector<std::size_t> &first_node,
+               std::vector<Terms> &);
   void resolve(std::uint32_t slave, std::vector<Terms> &terms, std::vector<char> &state) const;
   void store(const std::vector<Terms> &);
   void place(std::vector<BodyMesh<dim>> &, const std::vector<std::size_t> &first_node) const;

@@ -10,7 +10,7 @@ namespace ogive::fem
 template <int dim>
 Loads<dim>::Loads(const Parameters &p, const std::vector<BodyMesh<dim>> &meshes,
                   const std::vector<std::size_t> &first_node, const Constraints<dim> &constraints)
-  : axisymmetric_(p.axisymmetric)
+    : axisymmetric_(p.axisymmetric)
 {
   for (std::size_t b = 0; b < p.boundaries.size(); ++b)
   {
@@ -21,13 +21,16 @@ Loads<dim>::Loads(const Parameters &p, const std::vector<BodyMesh<dim>> &meshes,
       if (meshes[m].body != p.boundary_bodies.at(b))
         continue;
       if (boundary.kind == input::BoundaryKind::pressure)
-        for_each_facet(boundary, meshes[m], constraints, m, [&](auto facet) {
-          for (auto &node : facet.node)
-            node += static_cast<std::uint32_t>(first_node[m]);
-          pressures_.push_back({facet, boundary.pressure, b});
-        });
+        for_each_facet(boundary, meshes[m], constraints, m,
+                       [&](auto facet)
+                       {
+                         for (auto &node : facet.node)
+                           node += static_cast<std::uint32_t>(first_node[m]);
+                         pressures_.push_back({facet, boundary.pressure, b});
+                       });
       if (boundary.kind == input::BoundaryKind::body_force)
-        body_forces_.push_back({first_node[m], first_node[m] + meshes[m].n_nodes(), b, boundary.acceleration});
+        body_forces_.push_back(
+            {first_node[m], first_node[m] + meshes[m].n_nodes(), b, boundary.acceleration});
     }
   }
 }
@@ -41,10 +44,12 @@ void Loads<dim>::gather(const Nodes<dim> &nodes, const Constraints<dim> &constra
   for (const Pressure &load : pressures_)
   {
     const double pressure = load.pressure * history_[load.boundary].at(time);
-    for_each_area_share<dim>(nodes, load.facet, axisymmetric_, [&](int a, const auto &area) {
-      for (int i = 0; i < dim; ++i)
-        force[i][load.facet.node[a]] -= pressure * area[i];
-    });
+    for_each_area_share<dim>(nodes, load.facet, axisymmetric_,
+                             [&](int a, const auto &area)
+                             {
+                               for (int i = 0; i < dim; ++i)
+                                 force[i][load.facet.node[a]] -= pressure * area[i];
+                             });
   }
   for (const BodyForce &load : body_forces_)
   {

@@ -34,7 +34,7 @@ double longest_edge(const BodyMesh<dim> &mesh, const typename BodyMesh<dim>::Fac
   else
     for (int k = 0; k < facet.n_nodes; ++k)
       longest = std::max(
-        longest, (corner(mesh, facet.node[k]) - corner(mesh, facet.node[(k + 1) % facet.n_nodes])).norm());
+          longest, (corner(mesh, facet.node[k]) - corner(mesh, facet.node[(k + 1) % facet.n_nodes])).norm());
   return longest;
 }
 
@@ -48,8 +48,7 @@ template <int dim>
 class Sweep
 {
 public:
-  Sweep(const BodyMesh<dim> &mesh, double tolerance, const std::vector<bool> *only = nullptr)
-    : mesh_(mesh)
+  Sweep(const BodyMesh<dim> &mesh, double tolerance, const std::vector<bool> *only = nullptr) : mesh_(mesh)
   {
     for (std::size_t f = 0; f < mesh.facets.size(); ++f)
     {
@@ -137,11 +136,11 @@ void nearest_on_quad(const std::array<Vector<3>, 4> &x, const Vector<3> &point, 
 
 template <int dim>
 double nearest_on_facet(const BodyMesh<dim> &mesh, const typename BodyMesh<dim>::Facet &facet,
-                        const std::array<double, dim> &point,
+                        const std::array<double, dim>                     &point,
                         std::array<double, BodyMesh<dim>::Facet::n_nodes> &weight)
 {
-  constexpr int n = BodyMesh<dim>::Facet::n_nodes;
-  const auto    p = Eigen::Map<const Vector<dim>>(point.data());
+  constexpr int              n = BodyMesh<dim>::Facet::n_nodes;
+  const auto                 p = Eigen::Map<const Vector<dim>>(point.data());
   std::array<Vector<dim>, n> x;
   for (int k = 0; k < n; ++k)
     x[k] = corner(mesh, facet.node[k]);
@@ -165,7 +164,8 @@ double nearest_on_facet(const BodyMesh<dim> &mesh, const typename BodyMesh<dim>:
 }
 
 template <int dim>
-std::vector<TiedNode<dim>> find_tied(const BodyMesh<dim> &slave, const BodyMesh<dim> &master, double tolerance)
+std::vector<TiedNode<dim>> find_tied(const BodyMesh<dim> &slave, const BodyMesh<dim> &master,
+                                     double tolerance)
 {
   std::vector<bool> surface(slave.n_nodes(), false);
   for (const auto &facet : slave.facets)
@@ -182,12 +182,14 @@ std::vector<TiedNode<dim>> find_tied(const BodyMesh<dim> &slave, const BodyMesh<
     for (int i = 0; i < dim; ++i)
       point[i] = slave.x[i][a];
     TiedNode<dim> best{a, {}, {}, std::numeric_limits<double>::infinity()};
-    facets.near(point, [&](const auto &facet, double reach) {
-      std::array<double, TiedNode<dim>::n_masters> weight;
-      const double                                 gap = nearest_on_facet<dim>(master, facet, point, weight);
-      if (gap <= reach && gap < best.gap)
-        best = {a, facet.node, weight, gap};
-    });
+    facets.near(point,
+                [&](const auto &facet, double reach)
+                {
+                  std::array<double, TiedNode<dim>::n_masters> weight;
+                  const double gap = nearest_on_facet<dim>(master, facet, point, weight);
+                  if (gap <= reach && gap < best.gap)
+                    best = {a, facet.node, weight, gap};
+                });
     if (std::isfinite(best.gap))
       found.push_back(best);
   }
@@ -206,10 +208,12 @@ void mark_covered(const BodyMesh<dim> &mesh, const BodyMesh<dim> &other, const s
     for (const std::uint32_t node : facet.node)
       for (int i = 0; i < dim; ++i)
         centre[i] += mesh.x[i][node] / facet.n_nodes;
-    facets.near(centre, [&](const auto &candidate, double reach) {
-      std::array<double, TiedNode<dim>::n_masters> weight;
-      covered[f] = covered[f] || nearest_on_facet<dim>(other, candidate, centre, weight) <= reach;
-    });
+    facets.near(centre,
+                [&](const auto &candidate, double reach)
+                {
+                  std::array<double, TiedNode<dim>::n_masters> weight;
+                  covered[f] = covered[f] || nearest_on_facet<dim>(other, candidate, centre, weight) <= reach;
+                });
   }
 }
 
@@ -218,8 +222,8 @@ void mark_covered(const BodyMesh<dim> &mesh, const BodyMesh<dim> &other, const s
                                         const std::array<double, dim> &,                                     \
                                         std::array<double, BodyMesh<dim>::Facet::n_nodes> &);                \
   template std::vector<TiedNode<dim>> find_tied(const BodyMesh<dim> &, const BodyMesh<dim> &, double);       \
-  template void mark_covered(const BodyMesh<dim> &, const BodyMesh<dim> &, const std::vector<bool> &, double, \
-                             std::vector<bool> &);
+  template void mark_covered(const BodyMesh<dim> &, const BodyMesh<dim> &, const std::vector<bool> &,        \
+                             double, std::vector<bool> &);
 OGIVE_INSTANTIATE(1)
 OGIVE_INSTANTIATE(2)
 OGIVE_INSTANTIATE(3)

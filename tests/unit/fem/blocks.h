@@ -11,17 +11,18 @@ namespace ogive::fem::test
 {
 inline input::Dimension dimension_of(int dim, bool axisymmetric)
 {
-  return axisymmetric ? input::Dimension::axisymmetric :
-         dim == 1     ? input::Dimension::uniaxial :
-         dim == 2     ? input::Dimension::plane_strain :
-                        input::Dimension::three_d;
+  return axisymmetric ? input::Dimension::axisymmetric
+         : dim == 1   ? input::Dimension::uniaxial
+         : dim == 2   ? input::Dimension::plane_strain
+                      : input::Dimension::three_d;
 }
 
 /// Nodes moved by up to `distortion` m (those on the axis or of `keep` not), and
 /// set in random motion of up to `speed` m/s.
 template <int dim>
-void shake(BodyMesh<dim> &mesh, double distortion, double speed,
-           const std::function<bool(std::size_t)> &keep = [](std::size_t) { return false; })
+void shake(
+    BodyMesh<dim> &mesh, double distortion, double speed,
+    const std::function<bool(std::size_t)> &keep = [](std::size_t) { return false; })
 {
   std::mt19937                           random(7);
   std::uniform_real_distribution<double> u(-1, 1);
@@ -88,8 +89,8 @@ Books books_over(Solver<dim> &solver, int steps, double fixed_dt = 0)
       return {1e300, 1e300};
     const Balance b = solver.balance();
     worst.energy    = std::max(worst.energy, std::abs(closed(b) - closed(b0)));
-    worst.momentum  = std::max(
-      worst.momentum, (b.momentum - b.external_impulse - b0.momentum + b0.external_impulse).norm());
+    worst.momentum  = std::max(worst.momentum,
+                               (b.momentum - b.external_impulse - b0.momentum + b0.external_impulse).norm());
   }
   return worst;
 }

@@ -18,7 +18,8 @@ const input::History ramp{{0, 2e-6, 5e-6}, {0, 1, .5}};
 template <int dim>
 BodyMesh<dim> small_block(bool axisymmetric = false)
 {
-  return block<dim>({axisymmetric ? 0 : 1e-3, 2e-3, 0}, {axisymmetric ? 3e-3 : 4e-3, 5e-3, 2e-3}, h, axisymmetric);
+  return block<dim>({axisymmetric ? 0 : 1e-3, 2e-3, 0}, {axisymmetric ? 3e-3 : 4e-3, 5e-3, 2e-3}, h,
+                    axisymmetric);
 }
 
 // The node moves at v times the history at the middle of each step: exact.
@@ -28,8 +29,8 @@ TEST(History, DrivesAVelocity)
   p.boundaries             = {boundary("y-", BoundaryKind::velocity)};
   p.boundaries[0].velocity = {3, -20, 0};
   p.boundaries[0].history  = ramp;
-  auto        solver = solver_with(small_block<2>(), p);
-  Driver<2>   driver{*solver};
+  auto      solver         = solver_with(small_block<2>(), p);
+  Driver<2> driver{*solver};
   driver.fixed_dt   = step;
   const double e0   = closed(solver->balance());
   double       path = 0;
@@ -53,7 +54,7 @@ TEST(History, LandsADisplacement)
   p.boundaries                 = {boundary("z+", BoundaryKind::displacement)};
   p.boundaries[0].displacement = {0, 1e-5, -2e-5};
   p.boundaries[0].history      = ramp;
-  auto         solver = solver_with(small_block<3>(), p);
+  auto         solver          = solver_with(small_block<3>(), p);
   Driver<3>    driver{*solver};
   const double e0 = closed(solver->balance());
   for (int k = 0; k < 300; ++k)
@@ -82,7 +83,7 @@ template <int dim>
 void expect_pressed(bool axisymmetric, double area)
 {
   Parameters p;
-  p.boundaries = {boundary(dim == 1 ? "x-" : "y-", BoundaryKind::pressure)};
+  p.boundaries             = {boundary(dim == 1 ? "x-" : "y-", BoundaryKind::pressure)};
   p.boundaries[0].pressure = 2e6;
   p.boundaries[0].history  = ramp;
   auto        solver       = solver_with(small_block<dim>(axisymmetric), p);
@@ -97,10 +98,22 @@ void expect_pressed(bool axisymmetric, double area)
   EXPECT_NEAR(b.momentum[1] - b.external_impulse[1], 0, 1e-14 * 2e6 * area * integral);
   EXPECT_NEAR(closed(b) / b.external_work, 0, 1e-12);
 }
-TEST(History, LoadsALine) { expect_pressed<1>(false, 1); }
-TEST(History, LoadsASquare) { expect_pressed<2>(false, 3e-3); }
-TEST(History, LoadsARing) { expect_pressed<2>(true, M_PI * 9e-6); }
-TEST(History, LoadsACube) { expect_pressed<3>(false, 6e-6); }
+TEST(History, LoadsALine)
+{
+  expect_pressed<1>(false, 1);
+}
+TEST(History, LoadsASquare)
+{
+  expect_pressed<2>(false, 3e-3);
+}
+TEST(History, LoadsARing)
+{
+  expect_pressed<2>(true, M_PI * 9e-6);
+}
+TEST(History, LoadsACube)
+{
+  expect_pressed<3>(false, 6e-6);
+}
 
 // A body force moves all nodes alike: v = int g dt to rounding, no strain, and
 // its work is the kinetic energy.
@@ -111,7 +124,7 @@ void expect_fall(bool axisymmetric)
   p.boundaries                 = {boundary("", BoundaryKind::body_force)};
   p.boundaries[0].acceleration = {axisymmetric ? 0. : 3e5, dim > 1 ? -1e7 : 0, dim > 2 ? 5e4 : 0};
   p.boundaries[0].history      = ramp;
-  auto mesh = small_block<dim>(axisymmetric);
+  auto mesh                    = small_block<dim>(axisymmetric);
   shake(mesh, .2 * h, 0);
   auto        solver = solver_with(std::move(mesh), p);
   Driver<dim> driver{*solver};
@@ -127,10 +140,22 @@ void expect_fall(bool axisymmetric)
   EXPECT_NEAR(b.kinetic / b.external_work, 1, 1e-10);
   EXPECT_NEAR((b.momentum - b.external_impulse).norm() / b.momentum.norm(), 0, 1e-12);
 }
-TEST(BodyForce, Line) { expect_fall<1>(false); }
-TEST(BodyForce, PlaneStrain) { expect_fall<2>(false); }
-TEST(BodyForce, Axisymmetric) { expect_fall<2>(true); }
-TEST(BodyForce, Hex) { expect_fall<3>(false); }
+TEST(BodyForce, Line)
+{
+  expect_fall<1>(false);
+}
+TEST(BodyForce, PlaneStrain)
+{
+  expect_fall<2>(false);
+}
+TEST(BodyForce, Axisymmetric)
+{
+  expect_fall<2>(true);
+}
+TEST(BodyForce, Hex)
+{
+  expect_fall<3>(false);
+}
 
 // Dashpots all round a shaken block: energy and momentum are booked to rounding
 // at every step, and 3000 steps at .98 of the bound of the elements leave it calm.
@@ -160,18 +185,30 @@ void expect_absorbed(bool axisymmetric)
   EXPECT_LT(b.kinetic, 1e-6 * b0.kinetic);
   EXPECT_GT(b.absorbed, .3 * b0.kinetic); // the rest is bulk viscosity's and hourglass control's
 }
-TEST(Absorbing, Line) { expect_absorbed<1>(false); }
-TEST(Absorbing, PlaneStrain) { expect_absorbed<2>(false); }
-TEST(Absorbing, Axisymmetric) { expect_absorbed<2>(true); }
-TEST(Absorbing, Hex) { expect_absorbed<3>(false); }
+TEST(Absorbing, Line)
+{
+  expect_absorbed<1>(false);
+}
+TEST(Absorbing, PlaneStrain)
+{
+  expect_absorbed<2>(false);
+}
+TEST(Absorbing, Axisymmetric)
+{
+  expect_absorbed<2>(true);
+}
+TEST(Absorbing, Hex)
+{
+  expect_absorbed<3>(false);
+}
 
 // A face may be both held along its plane and absorbing.
 TEST(Absorbing, LeavesHeldComponentsAlone)
 {
   Parameters p;
-  p.boundaries        = {boundary("x+", BoundaryKind::absorbing), boundary("x+", BoundaryKind::fixed)};
+  p.boundaries           = {boundary("x+", BoundaryKind::absorbing), boundary("x+", BoundaryKind::fixed)};
   p.boundaries[1].fix[0] = false;
-  auto mesh = small_block<2>();
+  auto mesh              = small_block<2>();
   shake(mesh, 0, 5);
   auto          solver = solver_with(std::move(mesh), p);
   const Balance b0     = solver->balance();
@@ -180,7 +217,9 @@ TEST(Absorbing, LeavesHeldComponentsAlone)
   const Sample s = solver->sample(0);
   for (std::size_t a = 0; a < s.mass.size(); ++a)
     if (s.x0[0][a] == 4e-3)
+    {
       EXPECT_EQ(s.v[1][a], 0);
+    }
 }
 
 Eigen::Matrix3d turn(int dim)
@@ -194,7 +233,7 @@ template <int dim>
 std::unique_ptr<Solver<dim>> drop(const Eigen::Matrix3d &Q, double friction, double slip)
 {
   Parameters p;
-  p.walls = {{"wall", Q * Vec3(0, 2e-3, 0), Q * Vec3::UnitY(), Q * Vec3(4, 0, 0), friction}};
+  p.walls   = {{"wall", Q * Vec3(0, 2e-3, 0), Q * Vec3::UnitY(), Q * Vec3(4, 0, 0), friction}};
   auto mesh = small_block<dim>();
   for (std::size_t a = 0; a < mesh.n_nodes(); ++a)
   {
@@ -217,8 +256,8 @@ template <int dim>
 void expect_frame_independent()
 {
   const Eigen::Matrix3d Q = turn(dim);
-  auto                  straight = drop<dim>(Eigen::Matrix3d::Identity(), .3, 20), tilted = drop<dim>(Q, .3, 20);
-  Driver<dim>           a{*straight}, b{*tilted};
+  auto        straight = drop<dim>(Eigen::Matrix3d::Identity(), .3, 20), tilted = drop<dim>(Q, .3, 20);
+  Driver<dim> a{*straight}, b{*tilted};
   a.fixed_dt = b.fixed_dt = step;
   for (int k = 0; k < 40; ++k)
   {
@@ -236,15 +275,21 @@ void expect_frame_independent()
   EXPECT_NEAR(straight->balance().friction_heat / tilted->balance().friction_heat, 1, 1e-11);
   EXPECT_GT(straight->balance().friction_heat, .01 * straight->balance().kinetic);
 }
-TEST(TiltedWall, PlaneStrain) { expect_frame_independent<2>(); }
-TEST(TiltedWall, Hex) { expect_frame_independent<3>(); }
+TEST(TiltedWall, PlaneStrain)
+{
+  expect_frame_independent<2>();
+}
+TEST(TiltedWall, Hex)
+{
+  expect_frame_independent<3>();
+}
 
 // While every node on the wall slips the same way, the impulse along it is the
 // coefficient times the impulse across it.
 TEST(TiltedWall, CoulombsRatioIsExact)
 {
-  const double mu = .3;
-  const auto   Q  = turn(2);
+  const double mu     = .3;
+  const auto   Q      = turn(2);
   auto         solver = drop<2>(Q, mu, 400);
   Driver<2>    driver{*solver};
   for (int k = 0; k < 30; ++k)

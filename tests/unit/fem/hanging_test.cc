@@ -86,23 +86,32 @@ TEST(Coarsen, Line)
   EXPECT_EQ(mesh.n_cells(), 8u);
   EXPECT_NEAR(mesh.volume() / (12 * h), 1, 1e-14);
 }
-TEST(Coarsen, PlaneStrain) { expect_graded<2>(false, 256 * h * h); }
-TEST(Coarsen, Axisymmetric) { expect_graded<2>(true, M_PI * 256 * h * h * 16 * h); }
-TEST(Coarsen, Hex) { expect_graded<3>(false, 2048 * h * h * h); }
+TEST(Coarsen, PlaneStrain)
+{
+  expect_graded<2>(false, 256 * h * h);
+}
+TEST(Coarsen, Axisymmetric)
+{
+  expect_graded<2>(true, M_PI * 256 * h * h * 16 * h);
+}
+TEST(Coarsen, Hex)
+{
+  expect_graded<3>(false, 2048 * h * h * h);
+}
 
 // Refined rims lie on the true circle: away from hanging nodes, which stay on
 // chords, the nodes of the side have its radius.
 TEST(Coarsen, CylinderIsRoundNearTheFoot)
 {
   input::Scene scene;
-  scene.symmetry        = {{0}, {1}};
-  input::Body body      = box(Vec3::Zero(), Vec3::Zero(), h);
-  body.shape.kind       = input::ShapeKind::cylinder;
-  body.shape.radius     = 8 * h;
-  body.shape.length     = 32 * h;
-  body.coarsen          = 1;
-  body.coarsen_distance = 12 * h;
-  const auto            mesh = make_mesh<3>(body, scene, 0, make(copper()));
+  scene.symmetry               = {{0}, {1}};
+  input::Body body             = box(Vec3::Zero(), Vec3::Zero(), h);
+  body.shape.kind              = input::ShapeKind::cylinder;
+  body.shape.radius            = 8 * h;
+  body.shape.length            = 32 * h;
+  body.coarsen                 = 1;
+  body.coarsen_distance        = 12 * h;
+  const auto              mesh = make_mesh<3>(body, scene, 0, make(copper()));
   std::set<std::uint32_t> hanging;
   for (const auto &n : mesh.hanging)
     hanging.insert(n.node);
@@ -137,7 +146,7 @@ TEST(Coarsen, SavesElementsOnAPlate)
   const double estimate = quarter * (12 * 400 + 6 * 1200 / 4. + 3 * 8400 / 16.);
   std::printf("plate: %zu elements even, %zu graded\n", even.n_cells(), graded.n_cells());
   EXPECT_NEAR(even.n_cells() / (quarter * 12e4), 1, .1);
-  EXPECT_NEAR(graded.n_cells() / estimate, 1, .5); // cells at a border are fine as a whole
+  EXPECT_NEAR(graded.n_cells() / estimate, 1, .5);                 // cells at a border are fine as a whole
   EXPECT_NEAR(graded.volume() / (quarter * 1e-2 * .012), 1, 2e-3); // the rim has chords of 4 mm
 }
 
@@ -146,7 +155,7 @@ TEST(Coarsen, SavesElementsOnAPlate)
 template <int dim>
 void expect_patch(bool axisymmetric)
 {
-  auto         mesh       = graded_box<dim>(axisymmetric, .15 * h);
+  auto         mesh    = graded_box<dim>(axisymmetric, .15 * h);
   const double g[3][3] = {{900, 400, -300}, {-200, -700, 500}, {100, -600, 800}};
   for (std::size_t a = 0; a < mesh.n_nodes(); ++a)
     for (int i = 0; i < dim; ++i)
@@ -164,8 +173,8 @@ void expect_patch(bool axisymmetric)
     inside[hanging.node] = false;
   Parameters p;
   p.options.bulk_linear = p.options.bulk_quadratic = 0;
-  const auto material = mesh.material;
-  auto       solver   = solver_with(std::move(mesh), p);
+  const auto material                              = mesh.material;
+  auto       solver                                = solver_with(std::move(mesh), p);
   ASSERT_TRUE(solver->step({0, 1e-9, 1e-5}).ok);
   const Sample s = solver->sample(0);
   for (int c = 0; c < 6; ++c)
@@ -174,7 +183,7 @@ void expect_patch(bool axisymmetric)
   EXPECT_GT(std::abs(s.sigma[0][0]), 1e5);
   const double kick = 1e-9;
   ASSERT_TRUE(solver->step({1e-5, kick, kick}).ok);
-  const Sample t      = solver->sample(0);
+  const Sample t     = solver->sample(0);
   double       inner = 0, outer = 0;
   for (std::size_t a = 0; a < t.mass.size(); ++a)
     for (int i = 0; i < dim; ++i)
@@ -182,9 +191,18 @@ void expect_patch(bool axisymmetric)
   EXPECT_GT(outer, 1e-3);
   EXPECT_LT(inner, 1e-11 * outer);
 }
-TEST(Hanging, PatchPlaneStrain) { expect_patch<2>(false); }
-TEST(Hanging, PatchAxisymmetric) { expect_patch<2>(true); }
-TEST(Hanging, PatchHex) { expect_patch<3>(false); }
+TEST(Hanging, PatchPlaneStrain)
+{
+  expect_patch<2>(false);
+}
+TEST(Hanging, PatchAxisymmetric)
+{
+  expect_patch<2>(true);
+}
+TEST(Hanging, PatchHex)
+{
+  expect_patch<3>(false);
+}
 
 // Violent motion: energy and momentum to rounding; slaves stay on their places.
 template <int dim>
@@ -198,7 +216,7 @@ void expect_conservation(bool axisymmetric)
   EXPECT_LT(worst.energy, 1e-12 * b0.kinetic);
   EXPECT_LT(axisymmetric ? 0. : worst.momentum, 1e-13 * b0.mass * 30);
   EXPECT_LT(solver->balance().kinetic, .9 * b0.kinetic);
-  const Sample s = solver->sample(0);
+  const Sample s    = solver->sample(0);
   double       mass = 0;
   for (const double m : s.mass)
     mass += m;
@@ -212,9 +230,52 @@ void expect_conservation(bool axisymmetric)
       EXPECT_NEAR(s.x[i][n.node], middle, 1e-15);
     }
 }
-TEST(Hanging, ConservesPlaneStrain) { expect_conservation<2>(false); }
-TEST(Hanging, ConservesAxisymmetric) { expect_conservation<2>(true); }
-TEST(Hanging, ConservesHex) { expect_conservation<3>(false); }
+TEST(Hanging, ConservesPlaneStrain)
+{
+  expect_conservation<2>(false);
+}
+TEST(Hanging, ConservesAxisymmetric)
+{
+  expect_conservation<2>(true);
+}
+TEST(Hanging, ConservesHex)
+{
+  expect_conservation<3>(false);
+}
+
+// Masters carry what walls and driven faces ask of slaves: hanging nodes of the
+// struck face stay on the right side of the wall, those of a driven face move with it.
+TEST(Hanging, WallsAndDrivenFaces)
+{
+  auto       mesh    = graded_box<3>();
+  const auto hanging = mesh.hanging;
+  for (double &v : mesh.v[1])
+    v = -20;
+  Parameters p;
+  p.walls                  = {{"wall", Vec3(0, -8 * h, 0), Vec3(.3, 1, .1).normalized(), Vec3::Zero(), .2}};
+  p.walls[0].point         = {-8 * h, -8 * h, -4 * h}; // the corner that touches first
+  p.boundaries             = {boundary("z+", input::BoundaryKind::velocity)};
+  p.boundaries[0].velocity = {0, 0, 5};
+  p.boundaries[0].fix[0] = p.boundaries[0].fix[1] = false;
+  auto          solver                            = solver_with(std::move(mesh), p);
+  const Balance b0                                = solver->balance();
+  const Books   worst                             = books_over(*solver, 300);
+  EXPECT_LT(worst.energy, 1e-12 * b0.kinetic * 300);
+  EXPECT_LT(worst.momentum, 1e-12 * b0.mass * 20);
+  EXPECT_GT(solver->balance().friction_heat, 0);
+  const Sample s = solver->sample(0);
+  for (const auto &n : hanging)
+  {
+    Vec3 x;
+    for (int i = 0; i < 3; ++i)
+      x[i] = s.x[i][n.node];
+    EXPECT_GT((x - p.walls[0].point).dot(p.walls[0].normal.normalized()), -1e-15);
+    if (s.x0[2][n.node] == 4 * h)
+    {
+      EXPECT_NEAR(s.v[2][n.node], 5, 1e-13);
+    }
+  }
+}
 
 TEST(Hanging, SpinningBlockKeepsItsAngularMomentum)
 {
@@ -241,8 +302,8 @@ void expect_bounded(int steps)
 {
   Parameters p;
   p.options.bulk_linear = p.options.bulk_quadratic = 0;
-  auto          solver = solver_with(graded_box<dim>(false, .15 * h, 1e-3), p);
-  const Balance b0     = solver->balance();
+  auto          solver                             = solver_with(graded_box<dim>(false, .15 * h, 1e-3), p);
+  const Balance b0                                 = solver->balance();
   Driver<dim>   driver{*solver};
   for (int k = 0; k < steps; ++k)
     ASSERT_TRUE(driver.once().ok);
@@ -250,6 +311,12 @@ void expect_bounded(int steps)
   EXPECT_LT(b.kinetic + b.elastic + b.hourglass_fem, 1.02 * b0.kinetic);
   EXPECT_GT(b.kinetic + b.elastic + b.hourglass_fem, .5 * b0.kinetic);
 }
-TEST(Hanging, NoiseStaysBoundedPlaneStrain) { expect_bounded<2>(20000); }
-TEST(Hanging, NoiseStaysBoundedHex) { expect_bounded<3>(5000); }
+TEST(Hanging, NoiseStaysBoundedPlaneStrain)
+{
+  expect_bounded<2>(20000);
+}
+TEST(Hanging, NoiseStaysBoundedHex)
+{
+  expect_bounded<3>(5000);
+}
 } // namespace

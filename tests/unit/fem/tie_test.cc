@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Bodies of elements tied where their meshes do not match.
 #include "core/base/error.h"
+#include "core/io/memory_archive.h"
 #include "fem/tie.h"
 #include "tests/unit/fem/blocks.h"
 
@@ -23,7 +24,7 @@ std::vector<BodyMesh<dim>> pair_of(double fine = .75 * H, double gap = 0, bool a
   std::vector<BodyMesh<dim>> meshes;
   meshes.push_back(block<dim>({x0, 0, 0}, {x0 + 3 * H, 2 * H, 3 * H}, H, axisymmetric, 0));
   meshes.push_back(
-    block<dim>({x0, 2 * H + gap, 0}, {x0 + 3 * H, 2 * H + gap + 3 * fine, 3 * H}, fine, axisymmetric, 1));
+      block<dim>({x0, 2 * H + gap, 0}, {x0 + 3 * H, 2 * H + gap + 3 * fine, 3 * H}, fine, axisymmetric, 1));
   return meshes;
 }
 
@@ -56,11 +57,12 @@ TEST(Tie, NearestPointOfAFacet)
   for (std::size_t a = 0; a < mesh.n_nodes(); ++a)
     if (mesh.x[2][a] == H && mesh.x[0][a] == H)
       mesh.x[1][a] = mesh.x[1][a] > 0 ? 1.4 * H : -.2 * H;
-  const auto top = *std::find_if(mesh.facets.begin(), mesh.facets.end(),
-                                 [&](const auto &f) { return mesh.boundary_names[f.boundary] == "z+"; });
+  const auto            top = *std::find_if(mesh.facets.begin(), mesh.facets.end(),
+                                            [&](const auto &f) { return mesh.boundary_names[f.boundary] == "z+"; });
   std::array<double, 4> weight;
-  const auto foot = [&](const std::array<double, 3> &p) {
-    Vec3 x = Vec3::Zero();
+  const auto            foot = [&](const std::array<double, 3> &p)
+  {
+    Vec3         x   = Vec3::Zero();
     const double gap = nearest_on_facet<3>(mesh, top, p, weight);
     for (int k = 0; k < 4; ++k)
       x += weight[k] * Vec3(mesh.x[0][top.node[k]], mesh.x[1][top.node[k]], mesh.x[2][top.node[k]]);
@@ -79,14 +81,16 @@ void expect_patch(bool axisymmetric)
 {
   auto         meshes  = pair_of<dim>(.75 * H, 0, axisymmetric);
   const double g[3][3] = {{900, 400, -300}, {-200, -700, 500}, {100, -600, 800}};
-  move<dim>(meshes, [&](const Vec3 &x) {
-    Vec3 v = Vec3::Zero();
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j)
-        if (!axisymmetric || i == j)
-          v[i] += g[i][j] * x[j];
-    return v;
-  });
+  move<dim>(meshes,
+            [&](const Vec3 &x)
+            {
+              Vec3 v = Vec3::Zero();
+              for (int i = 0; i < 3; ++i)
+                for (int j = 0; j < 3; ++j)
+                  if (!axisymmetric || i == j)
+                    v[i] += g[i][j] * x[j];
+              return v;
+            });
   auto solver = solver_with<dim>(std::move(meshes), tied());
   ASSERT_TRUE(solver->step({0, 1e-9, 1e-5}).ok);
   for (int body = 0; body < 2; ++body)
@@ -97,10 +101,22 @@ void expect_patch(bool axisymmetric)
         EXPECT_NEAR(stress, solver->sample(0).sigma[c][0], 1e-12 * 117e9 * 1e-2);
   }
 }
-TEST(Tie, PatchLine) { expect_patch<1>(false); }
-TEST(Tie, PatchPlaneStrain) { expect_patch<2>(false); }
-TEST(Tie, PatchAxisymmetric) { expect_patch<2>(true); }
-TEST(Tie, PatchHex) { expect_patch<3>(false); }
+TEST(Tie, PatchLine)
+{
+  expect_patch<1>(false);
+}
+TEST(Tie, PatchPlaneStrain)
+{
+  expect_patch<2>(false);
+}
+TEST(Tie, PatchAxisymmetric)
+{
+  expect_patch<2>(true);
+}
+TEST(Tie, PatchHex)
+{
+  expect_patch<3>(false);
+}
 
 // The uniform traction comes to the masters lumped at the slaves: the kink of a
 // master's hat inside a slave interval of length h costs at most h^2/(4 H) of H,
@@ -112,7 +128,7 @@ double unbalanced(double fine)
   move<2>(meshes, [](const Vec3 &x) { return Vec3(0, 700 * x.y(), 0); });
   Parameters p;
   p.options.bulk_linear = p.options.bulk_quadratic = 0;
-  auto solver = solver_with<2>(std::move(meshes), tied(p));
+  auto solver                                      = solver_with<2>(std::move(meshes), tied(p));
   EXPECT_TRUE(solver->step({0, 1e-9, 1e-5}).ok);
   const Sample s    = solver->sample(0);
   const double kick = 1e-9;
@@ -149,10 +165,22 @@ void expect_conservation(bool axisymmetric)
   EXPECT_LT(axisymmetric ? 0. : worst.momentum, 1e-13 * b0.mass * 30);
   EXPECT_LT(solver->balance().kinetic, .9 * b0.kinetic);
 }
-TEST(Tie, ConservesLine) { expect_conservation<1>(false); }
-TEST(Tie, ConservesPlaneStrain) { expect_conservation<2>(false); }
-TEST(Tie, ConservesAxisymmetric) { expect_conservation<2>(true); }
-TEST(Tie, ConservesHex) { expect_conservation<3>(false); }
+TEST(Tie, ConservesLine)
+{
+  expect_conservation<1>(false);
+}
+TEST(Tie, ConservesPlaneStrain)
+{
+  expect_conservation<2>(false);
+}
+TEST(Tie, ConservesAxisymmetric)
+{
+  expect_conservation<2>(true);
+}
+TEST(Tie, ConservesHex)
+{
+  expect_conservation<3>(false);
+}
 
 TEST(Tie, SpinKeepsAngularMomentum)
 {
@@ -174,8 +202,8 @@ TEST(Tie, NoiseStaysBounded)
     shake(mesh, 0, 1e-3);
   Parameters p;
   p.options.bulk_linear = p.options.bulk_quadratic = 0;
-  auto          solver = solver_with<3>(std::move(meshes), tied(p));
-  const Balance b0     = solver->balance();
+  auto          solver                             = solver_with<3>(std::move(meshes), tied(p));
+  const Balance b0                                 = solver->balance();
   Driver<3>     driver{*solver};
   for (int k = 0; k < 10000; ++k)
     ASSERT_TRUE(driver.once().ok);
@@ -186,8 +214,9 @@ TEST(Tie, NoiseStaysBounded)
 // Gravity on both bodies: each node falls alike, slaves and their masters too.
 TEST(Tie, BodiesFallTogether)
 {
-  Parameters p  = tied();
-  p.boundaries  = {boundary("", input::BoundaryKind::body_force), boundary("", input::BoundaryKind::body_force)};
+  Parameters p = tied();
+  p.boundaries = {boundary("", input::BoundaryKind::body_force),
+                  boundary("", input::BoundaryKind::body_force)};
   for (auto &b : p.boundaries)
     b.acceleration = {0, -1e7, 0};
   p.boundary_bodies = {0, 1};
@@ -222,10 +251,10 @@ TEST(Tie, ReportsAndHidesTheSeam)
 // for a boundary to act on.
 TEST(Tie, BoundariesActOnTheFreeSurface)
 {
-  Parameters p = tied();
-  p.boundaries = {boundary("all", input::BoundaryKind::pressure)};
+  Parameters p             = tied();
+  p.boundaries             = {boundary("all", input::BoundaryKind::pressure)};
   p.boundaries[0].pressure = 1e6;
-  auto      solver = solver_with<2>(pair_of<2>(), p);
+  auto      solver         = solver_with<2>(pair_of<2>(), p);
   Driver<2> driver{*solver};
   driver.fixed_dt = 1e-9;
   ASSERT_TRUE(driver.once().ok);
@@ -234,6 +263,42 @@ TEST(Tie, BoundariesActOnTheFreeSurface)
   EXPECT_NEAR(solver->balance().momentum.x(), 0, 1e-12 * 1e6 * 3 * H * .5e-9);
   p.boundaries[0].face = "y+";
   EXPECT_THROW(solver_with<2>(pair_of<2>(), p), InputError);
+}
+
+// Half the run, save, load into a fresh solver, the other half: the same bits.
+TEST(Tie, RestartIsBitwise)
+{
+  const auto fresh = []
+  {
+    auto meshes = pair_of<3>();
+    for (auto &mesh : meshes)
+      shake(mesh, .05 * H, 30);
+    Parameters p = tied();
+    p.boundaries = {boundary("y-", input::BoundaryKind::absorbing)};
+    return solver_with<3>(std::move(meshes), p);
+  };
+  const auto first = fresh(), second = fresh();
+  Driver<3>  a{*first}, b{*second};
+  a.fixed_dt = b.fixed_dt = .05e-6;
+  for (int k = 0; k < 30; ++k)
+    ASSERT_TRUE(a.once().ok);
+  io::MemoryArchive archive;
+  first->save(archive, "fem");
+  second->load(archive, "fem");
+  b.time = a.time;
+  b.last = a.last;
+  for (int k = 0; k < 30; ++k)
+  {
+    ASSERT_TRUE(a.once().ok);
+    ASSERT_TRUE(b.once().ok);
+  }
+  for (int body = 0; body < 2; ++body)
+  {
+    EXPECT_EQ(first->sample(body).v, second->sample(body).v);
+    EXPECT_EQ(first->sample(body).mass, second->sample(body).mass);
+  }
+  EXPECT_EQ(first->balance().absorbed, second->balance().absorbed);
+  EXPECT_GT(first->balance().absorbed, 0);
 }
 
 TEST(Tie, RefusesWhatItCannotTie)

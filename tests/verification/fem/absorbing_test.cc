@@ -20,7 +20,10 @@ Parameters quiet()
   return p;
 }
 
-double mechanical(const Balance &b) { return b.kinetic + b.elastic + b.hourglass_fem; }
+double mechanical(const Balance &b)
+{
+  return b.kinetic + b.elastic + b.hourglass_fem;
+}
 
 /// Energy that a packet of wavelength 20 h leaves in a bar of width 2 h in
 /// uniaxial strain whose ends absorb, over what it had.

@@ -76,14 +76,14 @@ double reflected(Join join, double elements)
       const double s = mesh.x[0][a] + 4 * sigma;
       mesh.v[0][a]   = 1e-3 * std::exp(-.5 * s * s / (sigma * sigma)) * std::sin(2 * M_PI * s / wave);
     }
-  auto          solver = solver_with<dim>(std::move(meshes), p);
-  const double  before = solver->balance().kinetic; // of two packets, half of each in motion later on
-  Driver<dim>   driver{*solver};
+  auto         solver = solver_with<dim>(std::move(meshes), p);
+  const double before = solver->balance().kinetic; // of two packets, half of each in motion later on
+  Driver<dim>  driver{*solver};
   EXPECT_TRUE(driver.until(8 * sigma / c).ok);
-  const auto s    = solver->surface();
-  double     back = 0;
-  const int  fine_body = join == Join::hanging ? 0 : 1;
-  const Sample now = solver->sample(fine_body);
+  const auto   s         = solver->surface();
+  double       back      = 0;
+  const int    fine_body = join == Join::hanging ? 0 : 1;
+  const Sample now       = solver->sample(fine_body);
   for (std::size_t a = 0; a < now.mass.size(); ++a)
     if (now.x0[0][a] > -8 * sigma && now.x0[0][a] < 0)
       for (int i = 0; i < dim; ++i)
@@ -120,10 +120,22 @@ void expect_jump(Join join, const char *name, double ratio)
     EXPECT_NEAR(r / exact(elements, ratio), 1, .05);
   }
 }
-TEST(Jump, HangingLine) { expect_jump<1>(Join::hanging, "one mesh", 2); }
-TEST(Jump, HangingPlaneStrain) { expect_jump<2>(Join::hanging, "hanging nodes", 2); }
-TEST(Jump, TiedLine) { expect_jump<1>(Join::tied, "tied 2:1", 2); }
-TEST(Jump, TiedPlaneStrain) { expect_jump<2>(Join::tied, "tied 2:1", 2); }
+TEST(Jump, HangingLine)
+{
+  expect_jump<1>(Join::hanging, "one mesh", 2);
+}
+TEST(Jump, HangingPlaneStrain)
+{
+  expect_jump<2>(Join::hanging, "hanging nodes", 2);
+}
+TEST(Jump, TiedLine)
+{
+  expect_jump<1>(Join::tied, "tied 2:1", 2);
+}
+TEST(Jump, TiedPlaneStrain)
+{
+  expect_jump<2>(Join::tied, "tied 2:1", 2);
+}
 
 // Meshes that are not nested: the uneven pull of a uniform traction at the masters
 // (tests/unit/fem/tie_test.cc) scatters more than the jump itself. It fades with
@@ -131,8 +143,9 @@ TEST(Jump, TiedPlaneStrain) { expect_jump<2>(Join::tied, "tied 2:1", 2); }
 TEST(Jump, ShiftedPlaneStrain)
 {
   const double coarse = reflected<2>(Join::shifted, 20), fine = reflected<2>(Join::shifted, 40);
-  std::printf("tied 3:2, 2-D, 20 and 40 elements a wavelength: %.4f %.4f; nested meshes would reflect %.4f %.4f\n",
-              coarse, fine, exact(20, 1.5), exact(40, 1.5));
+  std::printf(
+      "tied 3:2, 2-D, 20 and 40 elements a wavelength: %.4f %.4f; nested meshes would reflect %.4f %.4f\n",
+      coarse, fine, exact(20, 1.5), exact(40, 1.5));
   EXPECT_LT(fine, .5 * coarse);
   EXPECT_GT(coarse, exact(20, 1.5));
 }
