@@ -51,7 +51,11 @@ void check(const SceneArguments &a)
                 body.method == input::Method::fem ? "elements" : "particles", body.material.c_str(),
                 engineering(body.spacing).c_str(), body.velocity.norm());
   for (const input::Interface &i : scene.interfaces)
-    std::printf("  interface  %-16s %s, %s | %s\n", i.name.c_str(), i.method.c_str(), i.particles.c_str(), i.mesh.c_str());
+    std::printf("  interface  %-16s %s, %s | %s\n", i.name.c_str(), i.method.c_str(),
+                (i.joins_meshes() ? i.slave : i.particles).c_str(), (i.joins_meshes() ? i.master : i.mesh).c_str());
+  for (const fem::TieReport &t : plan.ties)
+    std::printf("  tied nodes %-16s %zu, gap closed up to %s m\n", t.name.c_str(), t.nodes,
+                engineering(t.largest_gap).c_str());
   for (const input::Contact &c : scene.contacts)
     std::printf("  contact    %-16s %s and %s, friction %g\n", c.name.c_str(), c.first.c_str(), c.second.c_str(),
                 c.friction);

@@ -53,6 +53,8 @@ void Coupler<dim>::build_interfaces(const input::Scene &scene)
 {
   for (const auto &entry : scene.interfaces)
   {
+    if (entry.joins_meshes()) // the mesh solver's own affair
+      continue;
     InterfaceSpec spec;
     spec.name          = entry.name;
     spec.method        = entry.method;

@@ -54,6 +54,15 @@ std::vector<int> boundary_bodies(const input::Scene &scene)
   return bodies;
 }
 
+std::vector<fem::Tie> mesh_ties(const input::Scene &scene)
+{
+  std::vector<fem::Tie> ties;
+  for (const input::Interface &i : scene.interfaces)
+    if (i.joins_meshes())
+      ties.push_back({i.name, body_index(scene, i.slave), body_index(scene, i.master), i.tolerance});
+  return ties;
+}
+
 /// Gives the particles of a body the density and pressure that it starts with.
 template <int dim>
 void start(sph::BodyParticles<dim> &particles, const input::Body &body)
@@ -106,7 +115,7 @@ Model<dim>::Model(const input::Scene &scene)
   if (!meshes.empty())
     fem_ = std::make_unique<fem::Solver<dim>>(
       fem::Parameters{scene.fem, scene.dimension == input::Dimension::axisymmetric, scene.symmetry, scene.walls,
-                      scene.boundaries, boundary_bodies(scene)},
+                      scene.boundaries, boundary_bodies(scene), mesh_ties(scene)},
       std::move(meshes));
   if (!clouds.empty())
     sph_ = std::make_unique<sph::Solver<dim>>(
@@ -205,6 +214,12 @@ Sample Model<dim>::sample(int body) const
   if (sph_ && sample.mass.empty())
     sample = sph_->sample(body);
   return sample;
+}
+
+template <int dim>
+std::vector<fem::TieReport> Model<dim>::ties() const
+{
+  return fem_ ? fem_->ties() : std::vector<fem::TieReport>();
 }
 
 template <int dim>

@@ -46,6 +46,7 @@ public:
   double contact_force() const;
 
   const std::vector<InitialOverlap> &initial_overlaps() const { return coupler_->initial_overlaps(); }
+  std::vector<fem::TieReport>        ties() const; ///< of bodies of elements
   std::int64_t                       lost_contacts() const { return coupler_->lost_contacts(); }
 
   std::size_t   particles() const { return sph_ ? sph_->size() : 0; }

@@ -263,6 +263,7 @@ Plan make_plan(const input::Scene &scene)
   plan.limit     = model.stable_dt();
   plan.steps     = std::ceil(scene.end_time / plan.limit.dt);
   plan.mass      = model.ledger().mass;
+  plan.ties      = model.ties();
 
   Clock          clock(scene.end_time, step_control(scene));
   constexpr int  trials = 5;

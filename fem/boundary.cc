@@ -2,12 +2,10 @@
 #include "fem/boundary.h"
 
 #include "core/base/error.h"
-
-#include <Eigen/Geometry>
+#include "fem/boundary_facets.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace ogive::fem
 {
@@ -25,31 +23,13 @@ double extent(const BodyMesh<dim> &mesh)
   return size;
 }
 
-/// Calls f(facet) for the facets of a scene boundary.
-template <int dim, class F>
-void for_each_facet(const input::Boundary &boundary, const BodyMesh<dim> &mesh, F &&f)
-{
-  bool found = false;
-  for (const auto &facet : mesh.facets)
-    if (boundary.face == "all" || mesh.boundary_names[facet.boundary] == boundary.face)
-    {
-      found = true;
-      f(facet);
-    }
-  if (!found)
-  {
-    std::string names;
-    for (const auto &name : mesh.boundary_names)
-      names += (names.empty() ? "" : ", ") + name;
-    throw InputError({"", 0, boundary.name}, "the body has no face \"" + boundary.face + "\"",
-                     "one of: all, " + names);
-  }
-}
 } // namespace
 
 template <int dim>
 PrescribedMotion<dim>::PrescribedMotion(const Parameters &p, const std::vector<BodyMesh<dim>> &meshes,
-                                        const std::vector<std::size_t> &first_node)
+                                        const std::vector<std::size_t> &first_node,
+                                        const Constraints<dim> &constraints)
+  : boundaries_(p.boundaries)
 {
   std::size_t n = 0;
   for (const auto &mesh : meshes)
@@ -59,44 +39,51 @@ PrescribedMotion<dim>::PrescribedMotion(const Parameters &p, const std::vector<B
   for (std::size_t b = 0; b < p.boundaries.size(); ++b)
   {
     const input::Boundary &boundary = p.boundaries[b];
-    if (boundary.kind == input::BoundaryKind::pressure)
+    if (!boundary.prescribes_motion())
       continue;
+    const Vec3 amount = boundary.kind == input::BoundaryKind::displacement ? boundary.displacement : boundary.velocity;
+    const int  name   = boundary.kind == input::BoundaryKind::fixed ? held : static_cast<int>(b);
     for (std::size_t m = 0; m < meshes.size(); ++m)
       if (meshes[m].body == p.boundary_bodies.at(b))
-        for_each_facet(boundary, meshes[m], [&](const auto &facet) {
+        for_each_facet(boundary, meshes[m], constraints, m, [&](const auto &facet) {
           for (const std::uint32_t node : facet.node)
             for (int i = 0; i < dim; ++i)
-              if (boundary.fix[i])
-                set(static_cast<std::uint32_t>(first_node[m] + node), i,
-                    boundary.kind == input::BoundaryKind::fixed ? 0. : boundary.velocity[i]);
+              if (boundary.fix[i] && !constraints.is_slave(first_node[m] + node))
+                set(static_cast<std::uint32_t>(first_node[m] + node), i, name, amount[i]);
         });
   }
   for (std::size_t m = 0; m < meshes.size(); ++m)
-  {
-    const double tolerance = 1e-9 * extent(meshes[m]);
-    const auto   hold      = [&](int axis) {
-      for (std::size_t a = 0; a < meshes[m].n_nodes(); ++a)
-        if (std::abs(meshes[m].x[axis][a]) <= tolerance)
-          set(static_cast<std::uint32_t>(first_node[m] + a), axis, 0.);
-    };
-    for (const auto &plane : p.symmetry)
-      if (plane.axis < dim)
-        hold(plane.axis);
-    if (meshes[m].axisymmetric)
-      hold(0);
-  }
+    hold_planes(p, meshes[m], first_node[m], constraints);
 }
 
 template <int dim>
-void PrescribedMotion<dim>::set(std::uint32_t node, int component, double velocity)
+void PrescribedMotion<dim>::hold_planes(const Parameters &p, const BodyMesh<dim> &mesh, std::size_t first_node,
+                                        const Constraints<dim> &constraints)
+{
+  const double tolerance = 1e-9 * extent(mesh);
+  const auto   hold      = [&](int axis) {
+    for (std::size_t a = 0; a < mesh.n_nodes(); ++a)
+      if (std::abs(mesh.x[axis][a]) <= tolerance && !constraints.is_slave(first_node + a))
+        set(static_cast<std::uint32_t>(first_node + a), axis, held, 0.);
+  };
+  for (const auto &plane : p.symmetry)
+    if (plane.axis < dim)
+      hold(plane.axis);
+  if (mesh.axisymmetric)
+    hold(0);
+}
+
+template <int dim>
+void PrescribedMotion<dim>::set(std::uint32_t node, int component, int boundary, double amount)
 {
   if (entry_of_[node] < 0)
   {
     entry_of_[node] = static_cast<std::int64_t>(entries_.size());
-    entries_.push_back({node, {}});
+    entries_.push_back({node, {}, {}});
   }
   mask_[node] |= static_cast<unsigned char>(1 << component);
-  entries_[entry_of_[node]].velocity[component] = velocity;
+  entries_[entry_of_[node]].amount[component]   = amount;
+  entries_[entry_of_[node]].boundary[component] = boundary;
 }
 
 template <int dim>
@@ -105,77 +92,35 @@ void PrescribedMotion<dim>::start(Nodes<dim> &nodes) const
   for (const Entry &entry : entries_)
     for (int i = 0; i < dim; ++i)
       if (prescribed(entry.node, i))
-        nodes.v[i][entry.node] = entry.velocity[i];
+      {
+        const int b = entry.boundary[i];
+        const bool driven = b != held && boundaries_[b].kind == input::BoundaryKind::velocity;
+        nodes.v[i][entry.node] = driven ? entry.amount[i] * boundaries_[b].history.at(0) : 0.;
+      }
 }
 
 template <int dim>
-void PrescribedMotion<dim>::apply(Nodes<dim> &nodes, const std::array<AlignedVector<double>, dim> &v_old,
-                                  BoundaryWork &work) const
+void PrescribedMotion<dim>::apply(const TimeStep &step, Nodes<dim> &nodes,
+                                  const std::array<AlignedVector<double>, dim> &v_old, BoundaryWork &work) const
 {
+  std::vector<double> factor;
+  for (const input::Boundary &b : boundaries_)
+    factor.push_back(
+      b.history.at(step.time + (b.kind == input::BoundaryKind::displacement ? 1 : .5) * step.drift));
   for (const Entry &entry : entries_)
     for (int i = 0; i < dim; ++i)
       if (prescribed(entry.node, i))
       {
-        double      &v       = nodes.v[i][entry.node];
-        const double impulse = nodes.mass[entry.node] * (entry.velocity[i] - v);
-        v                    = entry.velocity[i];
-        work.external += impulse * .5 * (v + v_old[i][entry.node]);
+        const std::uint32_t a = entry.node;
+        const int           b = entry.boundary[i];
+        double              v = b == held ? 0. : entry.amount[i] * factor[b];
+        if (b != held && boundaries_[b].kind == input::BoundaryKind::displacement)
+          v = (nodes.x0[i][a] + v - nodes.x[i][a]) / step.drift;
+        const double impulse = nodes.mass[a] * (v - nodes.v[i][a]);
+        nodes.v[i][a]        = v;
+        work.external += impulse * .5 * (v + v_old[i][a]);
         work.impulse[i] += impulse;
       }
-}
-
-template <int dim>
-Pressures<dim>::Pressures(const Parameters &p, const std::vector<BodyMesh<dim>> &meshes,
-                          const std::vector<std::size_t> &first_node)
-{
-  for (std::size_t b = 0; b < p.boundaries.size(); ++b)
-    for (std::size_t m = 0; m < meshes.size(); ++m)
-      if (p.boundaries[b].kind == input::BoundaryKind::pressure &&
-          meshes[m].body == p.boundary_bodies.at(b))
-        for_each_facet(p.boundaries[b], meshes[m], [&](auto facet) {
-          for (auto &node : facet.node)
-            node += static_cast<std::uint32_t>(first_node[m]);
-          loads_.push_back({facet, p.boundaries[b].pressure});
-          axisymmetric_ = meshes[m].axisymmetric;
-        });
-}
-
-template <int dim>
-void Pressures<dim>::add(const Nodes<dim> &nodes, std::array<AlignedVector<double>, dim> &force) const
-{
-  for (const Load &load : loads_)
-  {
-    const auto &node = load.facet.node;
-    const auto  x    = [&](int a, int i) { return nodes.x[i][node[a]]; };
-    if constexpr (dim == 1)
-      force[0][node[0]] -= load.pressure * load.facet.outward;
-    else if constexpr (dim == 2)
-    {
-      // Outside is on the right of a -> b: n = (dy, -dx).
-      const double n[2] = {x(1, 1) - x(0, 1), x(0, 0) - x(1, 0)};
-      for (int a = 0; a < 2; ++a)
-      {
-        const double share = axisymmetric_
-                               ? std::numbers::pi / 3 * (2 * x(a, 0) + x(1 - a, 0)) // int N_a 2 pi r
-                               : .5;
-        for (int i = 0; i < 2; ++i)
-          force[i][node[a]] -= load.pressure * share * n[i];
-      }
-    }
-    else
-    {
-      Vec3 d1, d2;
-      for (int i = 0; i < 3; ++i)
-      {
-        d1[i] = x(2, i) - x(0, i);
-        d2[i] = x(3, i) - x(1, i);
-      }
-      const Vec3 quarter = .125 * load.pressure * d1.cross(d2); // a quarter of p A n
-      for (int i = 0; i < 3; ++i)
-        for (int a = 0; a < 4; ++a)
-          force[i][node[a]] -= quarter[i];
-    }
-  }
 }
 
 template <int dim>
@@ -270,9 +215,6 @@ bool RigidWalls<dim>::touch(std::size_t w, std::uint32_t node, const TimeStep &s
 template class PrescribedMotion<1>;
 template class PrescribedMotion<2>;
 template class PrescribedMotion<3>;
-template class Pressures<1>;
-template class Pressures<2>;
-template class Pressures<3>;
 template class RigidWalls<1>;
 template class RigidWalls<2>;
 template class RigidWalls<3>;

@@ -23,15 +23,15 @@ CriticalStep<dim>::CriticalStep(std::size_t n_nodes)
   }
 }
 
-/// Held components rest; v.M.v becomes 1. Returns what v.M.v was.
+/// Held components rest, slaves follow; v.M.v becomes 1.
 template <int dim>
-double CriticalStep<dim>::scale(const Nodes<dim> &nodes, const PrescribedMotion<dim> &held)
+void CriticalStep<dim>::scale(const Nodes<dim> &nodes, const Bonds &bonds)
 {
   double sum = 0;
   for (int i = 0; i < dim; ++i)
     for (std::size_t a = 0; a < nodes.size(); ++a)
     {
-      if (held.prescribed(a, i))
+      if (bonds.held.prescribed(a, i) || bonds.constraints.is_slave(a))
         motion_[i][a] = 0;
       sum += nodes.mass[a] * motion_[i][a] * motion_[i][a];
     }
@@ -39,11 +39,14 @@ double CriticalStep<dim>::scale(const Nodes<dim> &nodes, const PrescribedMotion<
   for (auto &component : motion_)
     for (double &u : component)
       u *= factor;
-  return sum;
+  for (int i = 0; i < dim; ++i)
+    for (std::size_t a = 0; a < nodes.size(); ++a)
+      bonds.constraints.for_each_master(
+        a, [&](std::uint32_t master, double weight) { motion_[i][a] += weight * motion_[i][master]; });
 }
 
 template <int dim>
-void CriticalStep<dim>::apply(const Groups &groups, const Nodes<dim> &nodes)
+void CriticalStep<dim>::apply(const Groups &groups, const Nodes<dim> &nodes, const Bonds &bonds)
 {
   for (int i = 0; i < dim; ++i)
   {
@@ -61,21 +64,28 @@ void CriticalStep<dim>::apply(const Groups &groups, const Nodes<dim> &nodes)
       }
     });
   }
+  for (auto *field : {&stiff_, &damp_})
+    for (auto &component : *field)
+      for (std::size_t a = 0; a < nodes.size(); ++a)
+        if (bonds.constraints.is_slave(a))
+        {
+          bonds.constraints.for_each_master(
+            a, [&](std::uint32_t master, double weight) { component[master] += weight * component[a]; });
+          component[a] = 0;
+        }
 }
 
 template <int dim>
-typename CriticalStep<dim>::Answer CriticalStep<dim>::estimate(const Groups &groups,
-                                                               const Nodes<dim>            &nodes,
-                                                               const PrescribedMotion<dim> &held, double tolerance,
-                                                               int most)
+typename CriticalStep<dim>::Answer CriticalStep<dim>::estimate(const Groups &groups, const Nodes<dim> &nodes,
+                                                               const Bonds &bonds, double tolerance, int most)
 {
   constexpr int enough = 10; // quiet iterations
   Answer        answer;
   int           quiet = 0;
-  scale(nodes, held);
+  scale(nodes, bonds);
   while (answer.iterations < most && quiet < enough)
   {
-    apply(groups, nodes);
+    apply(groups, nodes, bonds);
     double k = 0, c = 0;
     for (int i = 0; i < dim; ++i)
       for (std::size_t a = 0; a < nodes.size(); ++a)
@@ -90,7 +100,7 @@ typename CriticalStep<dim>::Answer CriticalStep<dim>::estimate(const Groups &gro
     for (int i = 0; i < dim; ++i)
       for (std::size_t a = 0; a < nodes.size(); ++a)
         motion_[i][a] = (.5 * dt * damp_[i][a] + .25 * dt * dt * stiff_[i][a]) / nodes.mass[a];
-    scale(nodes, held);
+    scale(nodes, bonds);
   }
   double largest = -1;
   for (std::size_t a = 0; a < nodes.size(); ++a)

@@ -3,6 +3,7 @@
 
 #include "core/base/simd.h"
 #include "fem/boundary.h"
+#include "fem/constraints.h"
 #include "fem/element_group.h"
 
 #include <vector>
@@ -22,6 +23,13 @@ class CriticalStep
 public:
   using Groups = std::vector<const ElementGroup<dim> *>;
 
+  /// What the nodes are not free to do.
+  struct Bonds
+  {
+    const PrescribedMotion<dim> &held;
+    const Constraints<dim>      &constraints;
+  };
+
   /// A motion with no symmetry, the same in every run.
   explicit CriticalStep(std::size_t n_nodes = 0);
 
@@ -33,8 +41,7 @@ public:
   };
   /// Goes on from the last motion until the step changes by less than
   /// `tolerance` (relative) in each of ten iterations.
-  Answer estimate(const Groups &, const Nodes<dim> &, const PrescribedMotion<dim> &,
-                  double tolerance, int most);
+  Answer estimate(const Groups &, const Nodes<dim> &, const Bonds &, double tolerance, int most);
 
   template <class F>
   void for_each_state(F &&f)
@@ -45,8 +52,8 @@ public:
 
 private:
   using Field = std::array<AlignedVector<double>, dim>;
-  void   apply(const Groups &, const Nodes<dim> &);
-  double scale(const Nodes<dim> &, const PrescribedMotion<dim> &);
+  void apply(const Groups &, const Nodes<dim> &, const Bonds &);
+  void scale(const Nodes<dim> &, const Bonds &);
 
   Field                 motion_, stiff_, damp_; ///< nodes
   AlignedVector<double> element_stiff_, element_damp_; ///< at the nodes of each element

@@ -2,6 +2,7 @@
 #include "fem/mesh.h"
 
 #include "core/base/error.h"
+#include "fem/coarsen.h"
 #include "fem/elements/hex8.h"
 #include "fem/elements/line2.h"
 #include "fem/elements/quad4.h"
@@ -157,6 +158,14 @@ void reduce(const Triangulation<dim> &triangulation, const input::Scene &scene, 
         mesh.facets.push_back(facet);
       }
   }
+  for (const HangingVertex &h : hanging_vertices(triangulation))
+  {
+    typename BodyMesh<dim>::Hanging hanging{node_of(h.vertex), h.n, {}};
+    for (std::size_t k = 0; k < h.n; ++k)
+      hanging.master[k] = node_of(h.master[k]);
+    mesh.hanging.push_back(hanging);
+  }
+  straighten(mesh);
 }
 
 template <int dim>
@@ -243,9 +252,10 @@ BodyMesh<dim> make_mesh(const input::Body &body, const input::Scene &scene, int 
   mesh.material     = std::move(material);
   mesh.axisymmetric = scene.dimension == input::Dimension::axisymmetric;
 
-  Triangulation<dim> triangulation;
+  Triangulation<dim> triangulation(Triangulation<dim>::limit_level_difference_at_vertices);
   FaceName<dim>      name;
   double             tolerance = 1e-7 * body.spacing;
+  std::vector<std::string> ids; // names of boundary ids
   if (body.shape.kind == input::ShapeKind::mesh)
   {
     read_file(body, scene, triangulation);
@@ -255,11 +265,18 @@ BodyMesh<dim> make_mesh(const input::Body &body, const input::Scene &scene, int 
   {
     if (!(body.spacing > 0))
       throw InputError({"", 0, body.name}, "a meshed body needs an element edge > 0");
-    ShapeMesh<dim> shape = mesh_shape<dim>(body, scene);
-    triangulation.create_triangulation(shape.raw.vertices, shape.raw.cells, dealii::SubCellData());
-    name = shape.face_name;
+    if (body.coarsen > 0)
+      ids = make_coarsened<dim>(body, scene, triangulation);
+    else
+    {
+      ShapeMesh<dim> shape = mesh_shape<dim>(body, scene);
+      triangulation.create_triangulation(shape.raw.vertices, shape.raw.cells, dealii::SubCellData());
+      name = shape.face_name;
+    }
   }
   reduce<dim>(triangulation, scene, tolerance, name, mesh);
+  if (body.coarsen > 0)
+    name_boundaries(ids, mesh);
   mesh.element = body.element.empty() ? scene.fem.element : body.element;
   if (mesh.element == "spectral")
     raise_degree(mesh, scene.fem.degree);

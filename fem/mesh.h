@@ -28,6 +28,15 @@ struct BodyMesh
     double                               outward  = 1; ///< 1-D: sign of the outward normal
   };
 
+  /// A node that stays in the middle of `n` others of this mesh: of an edge (2)
+  /// or a face (4) of a coarser neighbour.
+  struct Hanging
+  {
+    std::uint32_t                node = 0;
+    std::size_t                  n    = 0;
+    std::array<std::uint32_t, 4> master{};
+  };
+
   int                                        body = -1; ///< index into the scene's bodies
   std::shared_ptr<const materials::Material> material;
   bool                                       axisymmetric = false; ///< dim 2: x = r, y = axis
@@ -38,6 +47,7 @@ struct BodyMesh
   int                                        degree  = 1; ///< > 1: spectral, its cells lie between its nodes
   std::vector<std::uint32_t>                 elements; ///< degree > 1: nodes of each, x fastest
   std::vector<Facet>                         facets; ///< all of the boundary
+  std::vector<Hanging>                       hanging;
   std::vector<std::string>                   boundary_names; ///< "x-" .. "z+"; "bottom", "top", "side", "inner", "outer"; ids of a mesh file
 
   std::size_t n_nodes() const { return x[0].size(); }
@@ -62,6 +72,10 @@ struct BodyMesh
 template <int dim>
 BodyMesh<dim> make_mesh(const input::Body &, const input::Scene &, int body_index,
                         std::shared_ptr<const materials::Material>);
+
+/// Moves hanging nodes to the middle of their masters.
+template <int dim>
+void straighten(BodyMesh<dim> &);
 
 /// Throws InputError naming the first cell whose map is not invertible at a
 /// corner (or, in axial symmetry, that reaches r < 0).

@@ -32,6 +32,7 @@ void Solver<dim>::Implementation::build(std::vector<BodyMesh<dim>> meshes)
     n_nodes += mesh.n_nodes();
     n_elements += mesh.n_cells();
   }
+  constraints = Constraints<dim>(parameters, meshes, first_node);
   nodes.resize(n_nodes);
   for (int i = 0; i < dim; ++i)
   {
@@ -59,11 +60,16 @@ void Solver<dim>::Implementation::build(std::vector<BodyMesh<dim>> meshes)
   for (std::size_t a = 0; a < n_nodes; ++a)
     if (!(nodes.mass[a] > 0))
       throw InputError("node " + std::to_string(a) + " of the mesh belongs to no element");
-  prescribed = PrescribedMotion<dim>(parameters, meshes, first_node);
+  constraints.fold_mass(nodes);
+  prescribed = PrescribedMotion<dim>(parameters, meshes, first_node, constraints);
   prescribed.start(nodes);
-  pressures = Pressures<dim>(parameters, meshes, first_node);
+  constraints.follow(nodes);
+  loads     = Loads<dim>(parameters, meshes, first_node, constraints);
+  absorbing = AbsorbingFaces<dim>(parameters, meshes, first_node, constraints);
   build_surface(meshes);
-  walls = RigidWalls<dim>(parameters, face.contact_points);
+  std::vector<std::uint32_t> free = face.contact_points; // slaves stop where their masters do
+  std::erase_if(free, [this](std::uint32_t a) { return constraints.is_slave(a); });
+  walls    = RigidWalls<dim>(parameters, std::move(free));
   critical = CriticalStep<dim>(n_nodes);
   if (parameters.options.step_bound == "power-iteration")
     sharpening[0] = std::max(1., find_critical(1e-6, 5000).dt / element_limit().dt);
@@ -74,9 +80,10 @@ void Solver<dim>::Implementation::build_surface(const std::vector<BodyMesh<dim>>
 {
   std::vector<bool> touches(nodes.size(), false);
   for (std::size_t b = 0; b < meshes.size(); ++b)
-    for (const auto &facet : meshes[b].facets)
+    for (std::size_t f = 0; f < meshes[b].facets.size(); ++f)
     {
-      if (meshes[b].boundary_names[facet.boundary].starts_with("symmetry"))
+      const auto &facet = meshes[b].facets[f];
+      if (meshes[b].boundary_names[facet.boundary].starts_with("symmetry") || constraints.covered(b, f))
         continue;
       typename Surface<dim>::Facet out;
       for (std::size_t k = 0; k < out.node.size(); ++k)
@@ -123,7 +130,7 @@ typename CriticalStep<dim>::Answer Solver<dim>::Implementation::find_critical(do
   typename CriticalStep<dim>::Groups all;
   for (const auto &group : groups)
     all.push_back(group.get());
-  return critical.estimate(all, nodes, prescribed, tolerance, most);
+  return critical.estimate(all, nodes, {prescribed, constraints}, tolerance, most);
 }
 
 template <int dim>
@@ -159,10 +166,13 @@ StepStatus Solver<dim>::step(const TimeStep &step)
 {
   auto &s = *self_;
   s.kick(step);
-  s.prescribed.apply(s.nodes, s.v_old, s.work);
+  s.absorbing.apply(step, s.prescribed, s.constraints, s.nodes, s.v_old);
+  s.prescribed.apply(step, s.nodes, s.v_old, s.work);
   s.walls.apply(step, s.prescribed, s.nodes, s.v_old, s.work);
+  s.constraints.follow(s.nodes);
   s.drift(step.drift);
-  s.book_pressure(step.kick);
+  s.absorbing.book(s.nodes, s.work);
+  s.book_loads(step.kick);
   for (std::size_t g = 0; g < s.groups.size(); ++g)
   {
     const StepStatus status = s.groups[g]->advance(s.nodes, step);
@@ -178,12 +188,9 @@ StepStatus Solver<dim>::step(const TimeStep &step)
 template <int dim>
 void Solver<dim>::Implementation::kick(const TimeStep &step)
 {
-  if (!pressures.empty())
-  {
-    for (auto &component : load)
-      std::fill(component.begin(), component.end(), 0.);
-    pressures.add(nodes, load);
-  }
+  if (!loads.empty())
+    loads.gather(nodes, constraints, step.time, load);
+  fold_forces();
   for (std::size_t g = 0; g < groups.size(); ++g)
   {
     const std::size_t first = parts[g].first_node, n = parts[g].last_node - first;
@@ -203,6 +210,18 @@ void Solver<dim>::Implementation::kick(const TimeStep &step)
 }
 
 template <int dim>
+void Solver<dim>::Implementation::fold_forces()
+{
+  constraints.fold_forces(nodes, [this](std::uint32_t slave, double (&f)[dim]) {
+    std::size_t g = 0;
+    while (slave >= parts[g].last_node)
+      ++g;
+    for (int i = 0; i < dim; ++i)
+      f[i] = groups[g]->nodal_forces(i)[slave - parts[g].first_node] + nodes.force[i][slave] + load[i][slave];
+  });
+}
+
+template <int dim>
 void Solver<dim>::Implementation::drift(double dt)
 {
   for (int i = 0; i < dim; ++i)
@@ -218,9 +237,9 @@ void Solver<dim>::Implementation::drift(double dt)
 }
 
 template <int dim>
-void Solver<dim>::Implementation::book_pressure(double kick)
+void Solver<dim>::Implementation::book_loads(double kick)
 {
-  if (!pressures.empty())
+  if (!loads.empty())
     for (int i = 0; i < dim; ++i)
       for (std::size_t a = 0; a < nodes.size(); ++a)
       {

@@ -21,6 +21,22 @@ namespace ogive::fem
 template <int dim>
 struct BodyMesh; // fem/mesh.h: a body's triangulation reduced to arrays
 
+/// Surface nodes of one body of elements that follow the facets of another.
+struct Tie
+{
+  std::string name;
+  int         slave = 0, master = 0; ///< Scene::bodies indices
+  double      tolerance = .1;        ///< gap that is closed, in longest edges of the master's facet
+};
+
+/// What became of a tie.
+struct TieReport
+{
+  std::string name;
+  std::size_t nodes       = 0; ///< slaves
+  double      largest_gap = 0; ///< that was closed, m
+};
+
 /// What the solver needs from the scene.
 struct Parameters
 {
@@ -30,6 +46,7 @@ struct Parameters
   std::vector<input::RigidWall>     walls;
   std::vector<input::Boundary>      boundaries;
   std::vector<int>                  boundary_bodies; ///< Scene::bodies index of each boundary
+  std::vector<Tie>                  ties{};
 };
 
 /// Explicit finite elements: lumped mass, central differences, one-point
@@ -70,6 +87,8 @@ public:
   /// Finds weights of the element with which `point` moves; false if Newton's
   /// method does not converge or |xi| > 1 + reach for all xi.
   bool embed(std::uint32_t element, const std::array<double, dim> &point, double reach, Embedding &) const;
+
+  const std::vector<TieReport> &ties() const;
 
   /// Normal force sum that rigid wall `w` gave in the last step, N (into the material).
   double wall_force(std::size_t w) const;

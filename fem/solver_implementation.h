@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "fem/absorbing.h"
 #include "fem/boundary.h"
+#include "fem/constraints.h"
 #include "fem/critical_step.h"
 #include "fem/element_group.h"
+#include "fem/loads.h"
 #include "fem/nodes.h"
 #include "fem/solver.h"
 
@@ -26,10 +29,12 @@ struct Solver<dim>::Implementation
   std::vector<std::unique_ptr<ElementGroup<dim>>> groups; ///< one a body
   std::vector<Part>                               parts;  ///< beside groups
   PrescribedMotion<dim>                           prescribed;
-  Pressures<dim>                                  pressures;
+  Constraints<dim>                                constraints;
+  Loads<dim>                                      loads;
+  AbsorbingFaces<dim>                             absorbing;
   RigidWalls<dim>                                 walls;
   BoundaryWork                                    work;
-  std::array<AlignedVector<double>, dim>          v_old, load; ///< m/s; N, pressures at t_n
+  std::array<AlignedVector<double>, dim>          v_old, load; ///< m/s; N, pressures and body forces at t_n
   Surface<dim>                                    face;        ///< lists only; spans are set on demand
   std::uint64_t                                   updates = 0;
   CriticalStep<dim>                               critical;
@@ -41,7 +46,8 @@ struct Solver<dim>::Implementation
   void       build(std::vector<BodyMesh<dim>>);
   void       build_surface(const std::vector<BodyMesh<dim>> &);
   void       kick(const TimeStep &);
-  void       book_pressure(double kick);
+  void       fold_forces();
+  void       book_loads(double kick);
   void       drift(double dt);
   StepStatus check_nodes() const;
   StepLimit  element_limit() const;
@@ -66,10 +72,10 @@ struct Solver<dim>::Implementation
       critical.for_each_state(
         [&](int i, AlignedVector<double> &u) { f(std::string("critical_motion_") + axis[i], u); });
     }
-    AlignedVector<double> booked{work.external,   work.wall_loss,  work.friction,
+    AlignedVector<double> booked{work.external,   work.wall_loss,  work.friction,  work.absorbed,
                                  work.impulse[0], work.impulse[1], work.impulse[2]};
     f("work", booked);
-    work = {booked.at(0), booked.at(1), booked.at(2), {booked.at(3), booked.at(4), booked.at(5)}};
+    work = {booked.at(0), booked.at(1), booked.at(2), booked.at(3), {booked.at(4), booked.at(5), booked.at(6)}};
     for (std::size_t g = 0; g < groups.size(); ++g)
       groups[g]->for_each_state([&](const std::string &name, AlignedVector<double> &a) {
         f("group" + std::to_string(g) + "/" + name, a);

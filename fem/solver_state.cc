@@ -38,6 +38,8 @@ Balance Solver<dim>::balance() const
     group->add_energies(b);
   for (std::size_t a = 0; a < s.nodes.size(); ++a)
   {
+    if (s.constraints.is_slave(a)) // its mass is with its masters
+      continue;
     const double m = s.nodes.mass[a];
     Vec3         x = Vec3::Zero(), v = Vec3::Zero();
     for (int i = 0; i < dim; ++i)
@@ -58,6 +60,7 @@ Balance Solver<dim>::balance() const
   b.external_work = s.work.external;
   b.wall_loss     = s.work.wall_loss;
   b.friction_heat = s.work.friction;
+  b.absorbed      = s.work.absorbed;
   for (int i = 0; i < dim; ++i)
     if (!(s.parameters.axisymmetric && i == 0))
       b.external_impulse[i] = s.work.impulse[i];
@@ -134,7 +137,8 @@ Sample Solver<dim>::sample(int body) const
       else
         for (auto *field : {&out.x[i], &out.x0[i], &out.v[i]})
           field->assign(last - first, 0.);
-    out.mass.assign(s.nodes.mass.begin() + first, s.nodes.mass.begin() + last);
+    for (std::size_t a = first; a < last; ++a)
+      out.mass.push_back(s.constraints.own_mass(s.nodes, a));
     out.radius.assign(last - first, 0.);
     out.id.assign(s.nodes.id.begin() + first, s.nodes.id.begin() + last);
     s.groups[g]->sample(s.nodes, out);
@@ -160,7 +164,13 @@ std::uint64_t Solver<dim>::updates() const
 template <int dim>
 void Solver<dim>::add_mass(std::uint32_t node, double mass)
 {
-  self_->nodes.mass.at(node) += mass;
+  self_->constraints.add_mass(self_->nodes, node, mass);
+}
+
+template <int dim>
+const std::vector<TieReport> &Solver<dim>::ties() const
+{
+  return self_->constraints.ties();
 }
 
 template <int dim>

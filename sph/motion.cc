@@ -25,13 +25,14 @@ void Solver<dim>::Implementation::mark_boundaries(const std::vector<BodyParticle
   for (std::size_t k = 0; k < parameters.boundaries.size(); ++k)
   {
     const auto &boundary = parameters.boundaries[k];
-    if (boundary.kind == input::BoundaryKind::pressure)
-      throw InputError({"", 0, "Boundaries/" + boundary.name}, "pressure acts on meshes only",
-                       "kind fixed or velocity for particles");
     for (std::size_t b = 0; b < bodies.size(); ++b)
     {
       if (bodies[b].scene != parameters.boundary_bodies[k])
         continue;
+      const bool constant = boundary.kind == input::BoundaryKind::fixed || boundary.kind == input::BoundaryKind::velocity;
+      if (!constant || !boundary.history.empty())
+        throw InputError({"", 0, "Boundaries/" + boundary.name}, "particles are held or driven at constant velocity only",
+                         "kind fixed or velocity, without a history");
       const double          inf = std::numeric_limits<double>::infinity();
       std::array<double, 3> lower{inf, inf, inf}, upper{-inf, -inf, -inf};
       for (std::size_t i = bodies[b].first; i < bodies[b].last; ++i)

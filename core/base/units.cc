@@ -258,13 +258,14 @@ struct Named
   std::string_view unit, name, example;
 };
 
-constexpr std::array<Named, 15> named{
+constexpr std::array<Named, 16> named{
   {{none, "", "number", "0.5"},
    {length, "m", "length", "12 mm"},
    {area, "m^2", "area", "4 mm^2"},
    {time, "s", "time", "80 us"},
    {mass, "kg", "mass", "197 g"},
    {velocity, "m/s", "velocity", "227 m/s"},
+   {acceleration, "m/s^2", "acceleration", "9.81 m/s^2"},
    {rate, "1/s", "rate", "100 rad/s"},
    {density, "kg/m^3", "density", "7.85 g/cm^3"},
    {pressure, "Pa", "pressure", "340 MPa"},

@@ -22,6 +22,7 @@ inline constexpr Dimension area{0, 2, 0, 0};
 inline constexpr Dimension time{0, 0, 1, 0};
 inline constexpr Dimension mass{1, 0, 0, 0};
 inline constexpr Dimension velocity{0, 1, -1, 0};
+inline constexpr Dimension acceleration{0, 1, -2, 0};
 inline constexpr Dimension rate{0, 0, -1, 0};
 inline constexpr Dimension density{1, -3, 0, 0};
 inline constexpr Dimension pressure{1, -1, -2, 0};

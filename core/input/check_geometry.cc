@@ -54,6 +54,8 @@ void check_kind(const Place &p)
   if (d == Dimension::axisymmetric && p.body.method == Method::fem && element == "spectral")
     p.refuse("element", "spectral elements have no rings: their nodes on the axis would have no mass",
              "\"one-point\", \"area-weighted\" or \"b-bar\"");
+  if (element == "spectral" && p.body.method == Method::fem && p.body.coarsen > 0)
+    p.refuse("coarsen", "spectral elements have no hanging nodes", "another element, or a mesh without coarsening");
   if (d != Dimension::axisymmetric && p.body.method == Method::fem && element == "area-weighted")
     p.refuse("element", "only rings are weighed over their section", "\"one-point\" or \"b-bar\"");
   if (element == "area-weighted" && p.body.method == Method::fem && p.scene.fem.step_bound == "power-iteration")
@@ -140,6 +142,32 @@ void check_spacing(const Place &p)
     p.refuse("spacing far", "the mesh would grow finer away from the impact", "0 or at least \"spacing\"");
 }
 
+void check_coarsening(const Place &p)
+{
+  const Body &b = p.body;
+  if (b.coarsen != std::round(b.coarsen))
+    p.refuse("coarsen", "an edge doubles a whole number of times, not " + units::format_number(b.coarsen),
+             "0, 1, 2 ... 6");
+  if (b.coarsen == 0)
+    return;
+  if (b.shape.kind == ShapeKind::mesh || b.shape.nose != Nose::blunt)
+    p.refuse("coarsen", b.shape.kind == ShapeKind::mesh ? "a mesh file has the elements that it has" :
+                                                          "a body with a nose cannot be coarsened",
+             "a box, a round body without a nose, or 0");
+  if (!(b.coarsen_distance > 0))
+    p.refuse("coarsen distance", "a coarsened body needs a distance at which the edge doubles", "a length > 0");
+  if (b.spacing_far > 0)
+    p.refuse("spacing far", "the body is coarsened by hanging nodes already", "one of the two gradings");
+  if (p.scene.dimension == Dimension::axisymmetric && b.coarsen_from.x() != 0)
+    p.refuse("coarsen from", "the impact is off the axis of symmetry", "x = 0");
+  const double coarsest = b.spacing * std::exp2(b.coarsen);
+  for (const Extent &e : extents(b.shape, p.scene.dimension))
+    if (e.length < coarsest * (1 - 1e-9))
+      p.refuse("coarsen", "the body is smaller than its coarsest element, " + in_mm(coarsest) + ": \"" + e.entry +
+                            "\" leaves " + in_mm(e.length),
+               "fewer doublings, or a smaller spacing");
+}
+
 void check_axis(const Place &p)
 {
   if (p.scene.dimension != Dimension::axisymmetric)
@@ -217,6 +245,7 @@ void check_geometry(const Scene &s, const Listing &listing)
     check_volume(place);
     check_axis(place);
     check_spacing(place);
+    check_coarsening(place);
     check_planes(place);
     check_walls(place);
   }

@@ -12,9 +12,18 @@ namespace
 bool is_loaded(const Scene &s, const Body &b)
 {
   return std::any_of(s.boundaries.begin(), s.boundaries.end(), [&](const Boundary &c) {
-    return c.body == b.name && (c.kind == BoundaryKind::pressure ? c.pressure != 0 :
-                                c.kind == BoundaryKind::velocity  ? !c.velocity.isZero(0) :
-                                                                    false);
+    if (c.body != b.name || c.history.always_zero())
+      return false;
+    switch (c.kind)
+    {
+      case BoundaryKind::fixed:
+      case BoundaryKind::absorbing: return false;
+      case BoundaryKind::velocity: return !c.velocity.isZero(0);
+      case BoundaryKind::displacement: return !c.displacement.isZero(0);
+      case BoundaryKind::pressure: return c.pressure != 0;
+      case BoundaryKind::body_force: return !c.acceleration.isZero(0);
+    }
+    return false;
   });
 }
 
@@ -135,8 +144,9 @@ void check_aim(const Scene &s, const Body &b, const Listing &listing)
 {
   std::vector<const Body *> group{&b};
   for (const Interface &i : s.interfaces)
-    if (i.particles == b.name || i.mesh == b.name)
-      group.push_back(&body_named(s, i.particles == b.name ? i.mesh : i.particles));
+    for (const auto &[one, other] : {std::pair{&i.particles, &i.mesh}, std::pair{&i.slave, &i.master}})
+      if (*one == b.name || *other == b.name)
+        group.push_back(&body_named(s, *one == b.name ? *other : *one));
 
   bool        has_target = !s.walls.empty(), hits = false;
   std::string targets;

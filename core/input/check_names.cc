@@ -56,15 +56,50 @@ std::vector<std::string> faces_of(const Shape &shape, Dimension d)
   return {};
 }
 
+/// Particles know constant motion only.
+void check_particle_boundary(const Boundary &b, const Listing &listing)
+{
+  const std::string section = "Boundaries/" + b.name;
+  if (b.kind == BoundaryKind::pressure)
+    throw InputError(listing.where(section, "kind"), "a pressure cannot act on the particles of \"" + b.body + "\"",
+                     "a body with method fem");
+  if (b.kind != BoundaryKind::fixed && b.kind != BoundaryKind::velocity)
+    throw InputError(listing.where(section, "kind"),
+                     "\"" + b.body + "\" is made of particles, which are held or driven at constant velocity only",
+                     "fixed or velocity, or a body with method fem");
+  if (!b.history.empty())
+    throw InputError(listing.where(section, "history"),
+                     "\"" + b.body + "\" is made of particles, which are driven at constant velocity only",
+                     "no history, or a body with method fem");
+}
+
+void check_load(const Scene &s, const Boundary &b, const Listing &listing)
+{
+  const std::string section = "Boundaries/" + b.name;
+  if (b.kind == BoundaryKind::body_force && s.dimension == Dimension::axisymmetric && b.acceleration.x() != 0)
+    throw InputError(listing.where(section, "acceleration"), "x is the radius: a body force acts along the axis only",
+                     "0 along x");
+  if (b.kind == BoundaryKind::displacement && b.history.empty())
+    throw InputError(listing.where(section, "history"), "without a history the face would jump at the start",
+                     "a table that begins with 0, such as \"0 us: 0, 10 us: 1\"");
+  if (b.kind == BoundaryKind::displacement && b.history.at(0) != 0)
+    throw InputError(listing.where(section, "history"),
+                     "the face would jump at the start: the factor at time 0 is " +
+                       units::format_number(b.history.at(0)),
+                     "a table that begins with 0, such as \"0 us: 0, 10 us: 1\"");
+}
+
 void check_boundaries(const Scene &s, const Listing &listing)
 {
   for (const Boundary &b : s.boundaries)
   {
     const std::string section = "Boundaries/" + b.name;
     const Body       &body    = find_body(s, listing, section, "body", b.body);
-    if (b.kind == BoundaryKind::pressure && body.method != Method::fem)
-      throw InputError(listing.where(section, "kind"), "a pressure cannot act on the particles of \"" + b.body + "\"",
-                       "a body with method fem");
+    if (body.method != Method::fem)
+      check_particle_boundary(b, listing);
+    check_load(s, b, listing);
+    if (b.kind == BoundaryKind::body_force)
+      continue;
     const std::vector<std::string> faces = faces_of(body.shape, s.dimension);
     if (!faces.empty() && std::find(faces.begin(), faces.end(), b.face) == faces.end())
       throw InputError(listing.where(section, "face"), "the body \"" + b.body + "\" has no face \"" + b.face + "\"",
@@ -72,27 +107,57 @@ void check_boundaries(const Scene &s, const Listing &listing)
   }
 }
 
+/// The two bodies that an interface joins.
+struct Pair
+{
+  const char *first, *second; ///< their entries
+  const Body &a, &b;
+};
+
+Pair pair_of(const Scene &s, const Interface &i, const Listing &listing)
+{
+  const std::string section = "Interfaces/" + i.name;
+  const bool        meshes  = i.joins_meshes();
+  for (const char *entry : {"particles", "mesh"})
+    if (meshes && listing.find(section, entry))
+      throw InputError(listing.where(section, entry), "the interface joins two bodies of elements by their meshes",
+                       "\"slave\" and \"master\", or \"particles\" and \"mesh\"");
+  const char        *entries[2] = {meshes ? "slave" : "particles", meshes ? "master" : "mesh"};
+  const std::string &first = meshes ? i.slave : i.particles, &second = meshes ? i.master : i.mesh;
+  for (int k = 0; k < 2; ++k)
+    if ((k ? second : first).empty())
+      throw InputError(listing.where(section, entries[k]), "the entry is missing",
+                       k || meshes ? "the name of a body with method fem" : "the name of a body with method sph");
+  return {entries[0], entries[1], find_body(s, listing, section, entries[0], first),
+          find_body(s, listing, section, entries[1], second)};
+}
+
 void check_interfaces(const Scene &s, const Listing &listing)
 {
   for (const Interface &i : s.interfaces)
   {
-    const std::string section   = "Interfaces/" + i.name;
-    const Body       &particles = find_body(s, listing, section, "particles", i.particles);
-    const Body       &mesh      = find_body(s, listing, section, "mesh", i.mesh);
-    if (particles.method != Method::sph)
-      throw InputError(listing.where(section, "particles"), "the body \"" + i.particles + "\" is made of elements",
+    const std::string section = "Interfaces/" + i.name;
+    const Pair        pair    = pair_of(s, i, listing);
+    if (!i.joins_meshes() && pair.a.method != Method::sph)
+      throw InputError(listing.where(section, pair.first), "the body \"" + pair.a.name + "\" is made of elements",
                        "a body with method sph");
-    if (mesh.method != Method::fem)
-      throw InputError(listing.where(section, "mesh"), "the body \"" + i.mesh + "\" is made of particles",
+    if (i.joins_meshes() && pair.a.method != Method::fem)
+      throw InputError(listing.where(section, pair.first), "the body \"" + pair.a.name + "\" is made of particles",
                        "a body with method fem");
+    if (pair.b.method != Method::fem)
+      throw InputError(listing.where(section, pair.second), "the body \"" + pair.b.name + "\" is made of particles",
+                       "a body with method fem");
+    if (&pair.a == &pair.b)
+      throw InputError(listing.where(section, pair.second), "the body \"" + pair.a.name + "\" is tied to itself",
+                       "two different bodies");
     // with a spin or a field the halves of one motion have different centres
-    const bool translate = particles.spin.isZero(0) && mesh.spin.isZero(0) && particles.velocity_field.empty() &&
-                           mesh.velocity_field.empty();
-    if (translate && (particles.velocity - mesh.velocity).norm() > 1e-12 * particles.velocity.norm())
-      throw InputError(listing.where("Bodies/" + i.mesh, "velocity"),
-                       "the body is tied to \"" + i.particles + "\" by the interface \"" + i.name +
+    const bool translate = pair.a.spin.isZero(0) && pair.b.spin.isZero(0) && pair.a.velocity_field.empty() &&
+                           pair.b.velocity_field.empty();
+    if (translate && (pair.a.velocity - pair.b.velocity).norm() > 1e-12 * pair.a.velocity.norm())
+      throw InputError(listing.where("Bodies/" + pair.b.name, "velocity"),
+                       "the body is tied to \"" + pair.a.name + "\" by the interface \"" + i.name +
                          "\" and moves otherwise",
-                       "the velocity of \"" + i.particles + "\"");
+                       "the velocity of \"" + pair.a.name + "\"");
   }
 }
 
@@ -108,7 +173,7 @@ void check_contacts(const Scene &s, const Listing &listing)
       return (a == c.first && b == c.second) || (a == c.second && b == c.first);
     };
     for (const Interface &i : s.interfaces)
-      if (same(i.particles, i.mesh))
+      if (same(i.particles, i.mesh) || same(i.slave, i.master))
         throw InputError(listing.where(section, "between"),
                          "these bodies are tied by the interface \"" + i.name + "\"", "two bodies that are apart");
     for (std::size_t l = 0; l < k; ++l)

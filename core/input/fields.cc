@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/input/fields.h"
 
+#include "core/input/history_pattern.h"
 #include "core/input/listing.h"
 
 #include <algorithm>
@@ -87,6 +88,11 @@ void Fields::source(const About &about, std::string &kind, std::string &text)
     kind                    = trim(value.substr(0, colon));
     text                    = trim(value.substr(colon + 1));
   });
+}
+
+void Fields::history(const About &about, History &value)
+{
+  entry(about, HistoryPattern(), format_history(value), [&](const std::string &text) { value = parse_history(text); });
 }
 
 void Fields::range(const About &about, double &low, double &high, units::Dimension d)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "core/input/history.h"
 #include "core/input/patterns.h"
 
 #include <functional>
@@ -64,6 +65,7 @@ public:
   void choice(const About &, std::string &, const std::vector<std::string> &choices);
   void names(const About &, std::vector<std::string> &, const NamesPattern & = NamesPattern());
   void source(const About &, std::string &kind, std::string &text);
+  void history(const About &, History &);
   void range(const About &, double &low, double &high, units::Dimension);
 
   template <class Enum>

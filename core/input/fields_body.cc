@@ -92,6 +92,20 @@ void body_fields(Fields &f, Body &b, Dimension dimension)
             {"method", {"fem"}}},
            element, {"default", "one-point", "b-bar", "full", "area-weighted", "spectral"});
   b.element = element == "default" ? "" : element;
+  f.number({"coarsen", "how often the element edge of a generated mesh doubles with distance, by hanging nodes",
+            Need::optional,
+            {"method", {"fem"}}},
+           b.coarsen, Bound{0, 6});
+  const Use coarsened{"coarsen", {}};
+  f.quantity({"coarsen distance", "the edge doubles where the distance reaches this, and at each multiple of it",
+              Need::optional, coarsened},
+             b.coarsen_distance, units::length, bounds::not_negative);
+  f.vector({"coarsen from", "the point that distance is measured from, that of impact", Need::optional, coarsened},
+           b.coarsen_from, units::length);
+  f.vector({"coarsen along", "distance is measured from the line through the point in this direction; zero: from the "
+                             "point itself",
+            Need::optional, coarsened},
+           b.coarsen_along, units::none);
   f.number({"jitter", "particles stand off their lattice by up to this share of the spacing along each axis, the same "
                       "ones in every run",
             Need::optional,

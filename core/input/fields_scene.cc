@@ -95,7 +95,7 @@ void scene_fields(Fields &f, Scene &s, std::size_t inline_materials)
   symmetry_field(f, s);
   list(f, {"walls", "names of the rigid walls"}, names_of(s.walls));
   list(f, {"boundaries", "names of the boundary conditions"}, names_of(s.boundaries));
-  list(f, {"interfaces", "names of the interfaces between particles and elements"}, names_of(s.interfaces));
+  list(f, {"interfaces", "names of the interfaces between bodies"}, names_of(s.interfaces));
   list(f, {"contacts", "names of the pairs of bodies that may touch"}, names_of(s.contacts));
   list(f, {"observers", "names of what the summary shows"}, names_of(s.observers));
 

@@ -15,35 +15,61 @@ void wall_fields(Fields &f, RigidWall &w)
 
 void boundary_fields(Fields &f, Boundary &b)
 {
-  f.text({"body", "the body whose face is held or loaded", Need::mandatory}, b.body, "the name of a body");
+  f.text({"body", "the body that is held or loaded", Need::mandatory}, b.body, "the name of a body");
+  f.choice({"kind", "what is prescribed", Need::mandatory}, b.kind,
+           {{"fixed", BoundaryKind::fixed},
+            {"velocity", BoundaryKind::velocity},
+            {"displacement", BoundaryKind::displacement},
+            {"pressure", BoundaryKind::pressure},
+            {"body-force", BoundaryKind::body_force},
+            {"absorbing", BoundaryKind::absorbing}});
   f.text({"face",
           "x-, x+, y-, y+, z-, z+ of a box; bottom, top, side, inner, outer of a round body; a boundary id of a mesh "
           "file; all",
-          Need::mandatory},
+          Need::mandatory,
+          {"kind", {"fixed", "velocity", "displacement", "pressure", "absorbing"}}},
          b.face, "the name of a face");
-  f.choice({"kind", "what is prescribed", Need::mandatory}, b.kind,
-           {{"fixed", BoundaryKind::fixed}, {"velocity", BoundaryKind::velocity}, {"pressure", BoundaryKind::pressure}});
   f.vector({"velocity", "prescribed velocity", Need::mandatory, {"kind", {"velocity"}}}, b.velocity, units::velocity);
+  f.vector({"displacement", "prescribed displacement from the place at the start, times the history", Need::mandatory,
+            {"kind", {"displacement"}}},
+           b.displacement, units::length);
+  f.vector({"acceleration", "acceleration that acts on all of the body, such as gravity", Need::mandatory,
+            {"kind", {"body-force"}}},
+           b.acceleration, units::acceleration);
 
   const std::vector<std::string> axes{"x", "y", "z"};
   std::vector<std::string>       held;
   for (int i = 0; i < 3; ++i)
     if (b.fix[i])
       held.push_back(axes[i]);
-  f.names({"components", "directions in which the motion is prescribed", Need::optional, {"kind", {"fixed", "velocity"}}},
+  f.names({"components", "directions in which the motion is prescribed", Need::optional,
+           {"kind", {"fixed", "velocity", "displacement"}}},
           held, NamesPattern(axes));
   for (int i = 0; i < 3; ++i)
     b.fix[i] = std::find(held.begin(), held.end(), axes[i]) != held.end();
 
-  f.quantity({"pressure", "constant pressure on the face", Need::mandatory, {"kind", {"pressure"}}}, b.pressure,
+  f.quantity({"pressure", "pressure on the face", Need::mandatory, {"kind", {"pressure"}}}, b.pressure,
              units::pressure);
+  f.history({"history",
+             "factor in time of what is prescribed: linear between the entries, held beyond the first and the last; "
+             "1 throughout without it",
+             Need::optional,
+             {"kind", {"velocity", "displacement", "pressure", "body-force"}}},
+            b.history);
 }
 
 void interface_fields(Fields &f, Interface &i)
 {
   f.choice({"method", "how motion and forces pass the seam"}, i.method, {"tied"});
-  f.text({"particles", "the body of particles", Need::mandatory}, i.particles, "the name of a body with method sph");
-  f.text({"mesh", "the body of elements", Need::mandatory}, i.mesh, "the name of a body with method fem");
+  f.text({"particles", "the body of particles"}, i.particles, "the name of a body with method sph");
+  f.text({"mesh", "the body of elements that carries the particles"}, i.mesh, "the name of a body with method fem");
+  f.text({"slave", "of two bodies of elements, the one whose surface nodes follow: the finer mesh"}, i.slave,
+         "the name of a body with method fem");
+  f.text({"master", "of two bodies of elements, the one whose facets lead"}, i.master,
+         "the name of a body with method fem");
+  f.number({"tolerance", "gap that is closed between two bodies of elements, in edges of the master's facet",
+            Need::optional, {"slave", {}}},
+           i.tolerance, bounds::positive_fraction);
 }
 
 void contact_fields(Fields &f, Contact &c)

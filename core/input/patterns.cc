@@ -41,20 +41,6 @@ Pattern::Complaint as_complaint(const InputError &e)
                                    Pattern::Complaint{text.substr(0, at), text.substr(at + 2)};
 }
 
-template <class Parse>
-Pattern::Complaint complaint_of(const Parse &parse)
-{
-  try
-  {
-    parse();
-    return {};
-  }
-  catch (const InputError &e)
-  {
-    return as_complaint(e);
-  }
-}
-
 std::string article(const std::string &noun)
 {
   return (std::string("aeiou").find(noun.front()) == std::string::npos ? "a " : "an ") + noun;
@@ -69,6 +55,19 @@ std::string article(const std::string &noun)
   throw InputError("\"" + text + "\" has the wrong unit: it is " + article(units::describe(q.dimension)));
 }
 } // namespace
+
+Pattern::Complaint complaint_of(const std::function<void()> &parse)
+{
+  try
+  {
+    parse();
+    return {};
+  }
+  catch (const InputError &e)
+  {
+    return as_complaint(e);
+  }
+}
 
 double parse_scalar(const std::string &text, units::Dimension dimension, Bound bound)
 {

@@ -6,6 +6,7 @@
 
 #include <deal.II/base/patterns.h>
 
+#include <functional>
 #include <limits>
 #include <memory>
 #include <string>
@@ -146,6 +147,9 @@ public:
 private:
   units::Dimension dimension_;
 };
+
+/// What an InputError of `parse` complains of, its suggestion parted from the rest.
+Pattern::Complaint complaint_of(const std::function<void()> &parse);
 
 /// The values of texts that match the patterns above. SI.
 double                    parse_scalar(const std::string &, units::Dimension, Bound = bounds::any);

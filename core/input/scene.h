@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/tensor.h"
+#include "core/input/history.h"
 #include "core/materials/parameters.h"
 
 #include <limits>
@@ -69,6 +70,13 @@ struct Body
   /// grading; 0: as `spacing`.
   double spacing_far = 0;
   std::string element; ///< fem: formulation; empty: FemOptions::element
+  /// fem, generated shapes: how often the edge doubles with distance, a whole
+  /// number; each time the distance grows by coarsen_distance. Distance is from
+  /// the point coarsen_from, or, unless coarsen_along is zero, from the line
+  /// through it.
+  double coarsen          = 0;
+  double coarsen_distance = 0; ///< m
+  Vec3   coarsen_from = Vec3::Zero(), coarsen_along = Vec3::Zero();
   /// sph: particles stand off their lattice by up to this share of the spacing
   /// along each axis, the same ones in every run.
   double jitter      = 0;
@@ -113,8 +121,11 @@ struct RigidWall
 enum class BoundaryKind
 {
   fixed,
-  velocity, ///< prescribed constant velocity, components marked by `fix`
-  pressure  ///< constant pressure, meshes only, Pa
+  velocity,     ///< prescribed velocity, components marked by `fix`
+  displacement, ///< prescribed displacement from the start, components marked by `fix`; meshes only
+  pressure,     ///< pressure on the present shape; meshes only
+  body_force,   ///< acceleration of the whole body; meshes only
+  absorbing     ///< dashpots of the material's impedances (Lysmer); meshes only
 };
 
 struct Boundary
@@ -122,16 +133,29 @@ struct Boundary
   std::string  name, body;
   std::string  face; ///< "x-", "x+", "y-", ... (box); "bottom", "top", "side", "inner", "outer" (round shapes); "all"; or a boundary id of a mesh file
   BoundaryKind kind     = BoundaryKind::fixed;
-  Vec3         velocity = Vec3::Zero();
-  bool         fix[3]   = {true, true, true};
-  double       pressure = 0;
+  Vec3         velocity     = Vec3::Zero(); ///< m/s
+  Vec3         displacement = Vec3::Zero(); ///< m
+  Vec3         acceleration = Vec3::Zero(); ///< m/s^2
+  bool         fix[3]       = {true, true, true};
+  double       pressure     = 0; ///< Pa
+  History      history;          ///< factor in time of what is prescribed
+
+  bool prescribes_motion() const
+  {
+    return kind == BoundaryKind::fixed || kind == BoundaryKind::velocity || kind == BoundaryKind::displacement;
+  }
 };
 
+/// Joins a body of particles to one of elements, or two bodies of elements.
 struct Interface
 {
   std::string name;
   std::string method = "tied";
   std::string particles, mesh; ///< bodies
+  std::string slave, master;   ///< bodies of elements, in place of the two above
+  double      tolerance = .1;  ///< gap that a tie of elements closes, in edges of the master's facet
+
+  bool joins_meshes() const { return !slave.empty() || !master.empty(); }
 };
 
 struct Contact

@@ -94,7 +94,7 @@ struct Driver
 /// What must stay constant: kinetic + internal + losses - work of the outside.
 inline double closed(const Balance &b)
 {
-  return b.kinetic + b.internal() + b.wall_loss + b.friction_heat - b.external_work;
+  return b.kinetic + b.internal() + b.wall_loss + b.friction_heat + b.absorbed - b.external_work;
 }
 /// Distorted block in violent elastic motion, off the axes.
 template <int dim>

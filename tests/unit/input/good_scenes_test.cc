@@ -91,6 +91,41 @@ TEST(GoodScenes, ViscosityGoesTogether)
   EXPECT_EQ(split({"SPH/correction=none", "SPH/limiter=linear"}), "none none linear");
 }
 
+TEST(GoodScenes, HoldLoadsTiesAndCoarsening)
+{
+  std::string text = replaced(base_scene, "set kind = fixed",
+                              "set kind = displacement\n    set displacement = 0, 0, 2 mm\n"
+                              "    set history = 0 us: 0, 10 us: 1, 20 us: 0.5");
+  text = replaced(text, "    set particles = zone\n    set mesh = rest",
+                  "    set slave = projectile\n    set master = rest\n    set tolerance = 0.2");
+  text = replaced(text, "set spacing far = 9 mm",
+                  "set velocity = 0, 0, -303.5 m/s\n    set coarsen = 2\n    set coarsen distance = 40 mm\n"
+                  "    set coarsen from = 0, 0, -6 mm\n    set coarsen along = 0, 0, 1");
+  text = replaced(text, "set spacing = 3 mm", "set spacing = 2 mm");
+  const Scene s = read_scene(write_file("scene.prm", text));
+  // the resolved scene reads to the same one
+  const std::string resolved = write_resolved(s);
+  for (const Scene &t : {s, read_scene(write_file("resolved.prm", resolved))})
+  {
+    const Boundary &b = t.boundaries.at(0);
+    EXPECT_EQ(b.kind, BoundaryKind::displacement);
+    EXPECT_EQ(b.displacement, Vec3(0, 0, .002));
+    EXPECT_EQ(b.history.at(-1), 0);
+    EXPECT_EQ(b.history.at(5e-6), .5);
+    EXPECT_EQ(b.history.at(10e-6), 1);
+    EXPECT_NEAR(b.history.at(15e-6), .75, 1e-15);
+    EXPECT_EQ(b.history.at(1), .5);
+    EXPECT_EQ(t.interfaces.at(0).slave, "projectile");
+    EXPECT_EQ(t.interfaces[0].master, "rest");
+    EXPECT_EQ(t.interfaces[0].tolerance, .2);
+    EXPECT_EQ(t.bodies[2].coarsen, 2);
+    EXPECT_EQ(t.bodies[2].coarsen_distance, .04);
+    EXPECT_EQ(t.bodies[2].coarsen_from, Vec3(0, 0, -.006));
+    EXPECT_EQ(t.bodies[2].coarsen_along, Vec3(0, 0, 1));
+  }
+  EXPECT_EQ(write_resolved(read_scene(write_file("resolved.prm", resolved))), resolved);
+}
+
 TEST(GoodScenes, AreNamedAfterTheirFolderOrFile)
 {
   const std::string file = write_file("scene.prm", base_scene);
