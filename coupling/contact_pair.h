@@ -59,6 +59,7 @@ struct ContactRecord
   Point<dim> spring    = Point<dim>::Zero(); ///< tangential, m
   Point<dim> slide     = Point<dim>::Zero(); ///< relative motion over the last drift, m
   double     depth     = 0;                  ///< penetration less offset, m, at t_n
+  double     next      = 0;                  ///< what it should be at t_{n+1}, m
   double     tangential_stiffness = 0;       ///< 0 without friction
 
   std::uint32_t point = 0;

@@ -23,6 +23,7 @@ template <int dim>
 void Solver<dim>::Implementation::build(std::vector<BodyMesh<dim>> meshes)
 {
   std::vector<std::size_t> first_node;
+  std::vector<GroupPlace>  place;
   std::size_t              n_nodes = 0, n_elements = 0;
   for (const auto &mesh : meshes)
   {
@@ -32,11 +33,18 @@ void Solver<dim>::Implementation::build(std::vector<BodyMesh<dim>> meshes)
     n_nodes += mesh.n_nodes();
     n_elements += mesh.n_cells();
   }
-  nodes.resize(n_nodes);
+  std::size_t n_all = n_nodes; // with the graves of eroding bodies
+  for (std::size_t b = 0; b < meshes.size(); ++b)
+  {
+    place.push_back({first_node[b], parts[b].first_element, n_all});
+    n_all += meshes[b].erosion.on ? ElementGroup<dim>::corners : 0;
+  }
+  nodes.resize(n_all);
+  std::fill(nodes.body.begin() + static_cast<std::ptrdiff_t>(n_nodes), nodes.body.end(), -1);
   for (int i = 0; i < dim; ++i)
   {
-    v_old[i].resize(n_nodes, 0.);
-    load[i].resize(n_nodes, 0.);
+    v_old[i].resize(n_all, 0.);
+    load[i].resize(n_all, 0.);
   }
   for (std::size_t b = 0; b < meshes.size(); ++b)
   {
@@ -52,10 +60,11 @@ void Solver<dim>::Implementation::build(std::vector<BodyMesh<dim>> meshes)
         nodes.v[i][node]                     = mesh.v[i].at(a);
       }
     }
-    groups.push_back(make_one_point_group(mesh, {first_node[b], parts[b].first_element}, parameters.options));
+    groups.push_back(make_one_point_group(mesh, place[b], parameters.options));
     groups.back()->lump_mass(nodes);
     groups.back()->initialise(nodes);
-    parts[b].sum = CornerSum<dim>(parts[b].first_node, parts[b].last_node, *groups.back());
+    if (mesh.erosion.on)
+      groups.back()->prepare_erosion(nodes);
   }
   for (std::size_t a = 0; a < n_nodes; ++a)
     if (!(nodes.mass[a] > 0))
@@ -63,33 +72,33 @@ void Solver<dim>::Implementation::build(std::vector<BodyMesh<dim>> meshes)
   prescribed = PrescribedMotion<dim>(parameters, meshes, first_node);
   prescribed.start(nodes);
   pressures = Pressures<dim>(parameters, meshes, first_node);
-  build_surface(meshes);
-  walls = RigidWalls<dim>(parameters, face.contact_points);
+  erosion = Erosion<dim>(meshes, place, parameters.axisymmetric);
+  face.n  = nodes.size();
+  review_erosion();
+  walls = RigidWalls<dim>(parameters, wall_nodes(meshes));
 }
 
+// Nodes of eroding bodies may come to the surface.
 template <int dim>
-void Solver<dim>::Implementation::build_surface(const std::vector<BodyMesh<dim>> &meshes)
+std::vector<std::uint32_t>
+Solver<dim>::Implementation::wall_nodes(const std::vector<BodyMesh<dim>> &meshes) const
 {
-  std::vector<bool> touches(nodes.size(), false);
+  std::vector<std::uint32_t> touching = face.contact_points;
   for (std::size_t b = 0; b < meshes.size(); ++b)
-    for (const auto &facet : meshes[b].facets)
-    {
-      if (meshes[b].boundary_names[facet.boundary].starts_with("symmetry"))
-        continue;
-      typename Surface<dim>::Facet out;
-      for (std::size_t k = 0; k < out.node.size(); ++k)
-      {
-        out.node[k]          = static_cast<std::uint32_t>(parts[b].first_node + facet.node[k]);
-        touches[out.node[k]] = true;
-      }
-      out.body    = meshes[b].body;
-      out.element = static_cast<std::uint32_t>(parts[b].first_element + facet.cell);
-      out.outward = facet.outward;
-      face.facets.push_back(out);
-    }
-  for (std::size_t a = 0; a < nodes.size(); ++a)
-    if (touches[a])
-      face.contact_points.push_back(static_cast<std::uint32_t>(a));
+    for (std::size_t a = parts[b].first_node; meshes[b].erosion.on && a < parts[b].last_node; ++a)
+      touching.push_back(static_cast<std::uint32_t>(a));
+  std::sort(touching.begin(), touching.end());
+  touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
+  return touching;
+}
+
+/// Forces and surface of those who live.
+template <int dim>
+void Solver<dim>::Implementation::review_erosion()
+{
+  erosion.review(groups, face);
+  for (std::size_t g = 0; g < groups.size(); ++g)
+    parts[g].sum = CornerSum<dim>(parts[g].first_node, parts[g].last_node, *groups[g]);
 }
 
 template <int dim>
@@ -125,6 +134,8 @@ StepStatus Solver<dim>::step(const TimeStep &step)
       return status;
     s.updates += s.groups[g]->size();
   }
+  if (s.erosion.any() && s.erosion.kill_failed(s.groups, s.nodes))
+    s.review_erosion();
   return s.check_nodes();
 }
 
@@ -144,7 +155,7 @@ void Solver<dim>::Implementation::kick(const TimeStep &step)
     {
       double f[dim];
       parts[g].sum.at(a, corner, f);
-      const double per_mass = step.kick / nodes.mass[a];
+      const double per_mass = nodes.mass[a] > 0 ? step.kick / nodes.mass[a] : 0; // without elements: none
       for (int i = 0; i < dim; ++i)
       {
         v_old[i][a] = nodes.v[i][a];

@@ -4,6 +4,7 @@
 #include "fem/boundary.h"
 #include "fem/corner_sum.h"
 #include "fem/element_group.h"
+#include "fem/erosion.h"
 #include "fem/nodes.h"
 #include "fem/solver.h"
 
@@ -29,6 +30,7 @@ struct Solver<dim>::Implementation
   PrescribedMotion<dim>                           prescribed;
   Pressures<dim>                                  pressures;
   RigidWalls<dim>                                 walls;
+  Erosion<dim>                                    erosion;
   BoundaryWork                                    work;
   std::array<AlignedVector<double>, dim>          v_old, load; ///< m/s; N, pressures at t_n
   Surface<dim>                                    face;        ///< lists only; spans are set on demand
@@ -36,7 +38,17 @@ struct Solver<dim>::Implementation
   std::vector<AlignedVector<double>>              mark;        ///< the snapshot
 
   void       build(std::vector<BodyMesh<dim>>);
-  void       build_surface(const std::vector<BodyMesh<dim>> &);
+  std::vector<std::uint32_t> wall_nodes(const std::vector<BodyMesh<dim>> &) const;
+  void       review_erosion();
+  /// After state was taken back or read.
+  void state_was_changed()
+  {
+    if (!erosion.any())
+      return;
+    for (auto &group : groups)
+      group->rebury();
+    review_erosion();
+  }
   void       kick(const TimeStep &);
   void       book_pressure(double kick);
   void       drift(double dt);
@@ -58,6 +70,7 @@ struct Solver<dim>::Implementation
                                  work.impulse[0], work.impulse[1], work.impulse[2]};
     f("work", booked);
     work = {booked.at(0), booked.at(1), booked.at(2), {booked.at(3), booked.at(4), booked.at(5)}};
+    f("eroded", erosion.state());
     for (std::size_t g = 0; g < groups.size(); ++g)
       groups[g]->for_each_state([&](const std::string &name, AlignedVector<double> &a) {
         f("group" + std::to_string(g) + "/" + name, a);
