@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <utility>
 
 namespace ogive::coupling
 {
@@ -69,7 +70,8 @@ void ContactSet<dim>::start(const Faces<dim> &faces)
     for (auto &record : found)
       record.depth = 0;
   }
-  kept_ = state_;
+  state_.topology = faces[mesh_party].topology;
+  kept_           = state_;
 }
 
 template <int dim>
@@ -125,7 +127,7 @@ void ContactSet<dim>::continue_contact(const Faces<dim> &faces, const ContactPai
   {
     record.stiffness            = old->stiffness;
     record.tangential_stiffness = old->tangential_stiffness;
-    record.offset               = std::min(old->offset, record.depth);
+    record.offset               = std::min(std::max(old->offset, record.offset), record.depth);
   }
   else
     begin_contact(faces, pair, list, record);
@@ -163,8 +165,33 @@ void ContactSet<dim>::continue_contact(const Faces<dim> &faces, const ContactPai
 }
 
 template <int dim>
-void ContactSet<dim>::end_contact(const Record &record)
+double ContactSet<dim>::gained(const Faces<dim> &faces, const ContactPair<dim> &pair, const List &list,
+                               const Record &record) const
 {
+  Point<dim> relative = faces.velocity(pair.point_party(), record.point);
+  for (const auto &carrier : list.of(record))
+    relative -= carrier.weight * seen_velocity(faces, pair.other_party(), carrier);
+  return std::max(0., -relative.dot(record.normal) * state_.last_drift);
+}
+
+template <int dim>
+void ContactSet<dim>::bridge_death(const Faces<dim> &faces, const ContactPair<dim> &pair, const Record *old,
+                                   const List &list, Record &record)
+{
+  const double small = .01 * pair.half_spacing(); // less than that is no other facet
+  const double due   = old ? std::max(0., old->next) : gained(faces, pair, list, record);
+  const double jump  = record.depth - (old ? std::min(old->offset, record.depth) : 0) - due;
+  if (jump > small)
+    record.offset = record.depth - due;
+  else if (old && jump < -small)
+    state_.energy.eroded += .5 * old->stiffness * (due * due - (due + jump) * (due + jump));
+}
+
+template <int dim>
+void ContactSet<dim>::end_contact(const Record &record, bool death)
+{
+  if (death)
+    state_.energy.eroded += .5 * record.stiffness * record.depth * std::max(0., record.next);
   if (record.tangential_stiffness > 0)
     state_.energy.friction_heat +=
       coulomb<dim>(record.spring, across<dim>(record.slide, record.normal), record.tangential_stiffness, 0).heat;
@@ -173,6 +200,7 @@ void ContactSet<dim>::end_contact(const Record &record)
 template <int dim>
 void ContactSet<dim>::gather(Faces<dim> &faces)
 {
+  const bool death = std::exchange(state_.topology, faces[mesh_party].topology) != faces[mesh_party].topology;
   List       list;
   auto       old = state_.list.records.begin();
   const auto end = state_.list.records.end();
@@ -187,14 +215,16 @@ void ContactSet<dim>::gather(Faces<dim> &faces)
     {
       Record &record = list.records[k];
       for (; old != stop && old->key < record.key; ++old)
-        end_contact(*old);
+        end_contact(*old, death);
       const bool lasts = old != stop && old->key == record.key;
+      if (death)
+        bridge_death(faces, pair, lasts ? &*old : nullptr, list, record);
       continue_contact(faces, pair, lasts ? &*old : nullptr, list, record);
       if (lasts)
         ++old;
     }
     for (; old != stop; ++old)
-      end_contact(*old);
+      end_contact(*old, death);
   }
   state_.list = std::move(list);
   add_forces(faces);
@@ -308,6 +338,7 @@ void ContactSet<dim>::close(const Faces<dim> &faces, const TimeStep &step)
 
     record.slide      = step.drift * (point - other);
     const double next = record.depth + step.drift * closing;
+    record.next       = next;
     energy.stored += .5 * record.stiffness * record.depth * std::max(0., next);
     energy.stored += .5 * record.tangential_stiffness *
                      record.spring.dot(record.spring + across<dim>(record.slide, record.normal));
@@ -352,7 +383,7 @@ void ContactSet<dim>::save(ArchiveWriter &archive, const std::string &prefix) co
   for (const auto &r : state_.list.records)
   {
     names.insert(names.end(), {r.key.pair, r.key.point, r.key.other});
-    values.insert(values.end(), {r.stiffness, r.tangential_stiffness, r.offset, r.depth});
+    values.insert(values.end(), {r.stiffness, r.tangential_stiffness, r.offset, r.depth, r.next});
     for (const Point<dim> *p : {&r.normal, &r.spring, &r.slide, &r.force})
       values.insert(values.end(), p->data(), p->data() + dim);
   }
@@ -372,8 +403,9 @@ void ContactSet<dim>::save(ArchiveWriter &archive, const std::string &prefix) co
                                      limit.dt,
                                      limit.culprit.where[0],
                                      limit.culprit.where[1],
-                                     limit.culprit.where[2]};
-  const std::vector<std::int64_t> counts{state_.lost, limit.culprit.body, limit.culprit.id};
+                                     limit.culprit.where[2],
+                                     e.eroded};
+  const std::vector<std::int64_t> counts{state_.lost, static_cast<std::int64_t>(state_.topology), limit.culprit.body, limit.culprit.id};
   archive.write(prefix + "/contact_totals", totals);
   archive.write(prefix + "/contact_plane_impulse",
                 std::span<const double>(state_.plane_impulse.data(), static_cast<std::size_t>(dim)));
@@ -387,9 +419,9 @@ void ContactSet<dim>::load(const ArchiveReader &archive, const std::string &pref
   const auto     values = archive.doubles(prefix + "/contact_state");
   const auto     totals = archive.doubles(prefix + "/contact_totals");
   const auto     counts = archive.integers(prefix + "/contact_counts");
-  constexpr auto width  = static_cast<std::size_t>(4 + 4 * dim);
+  constexpr auto width  = static_cast<std::size_t>(5 + 4 * dim);
   const auto     n      = names.size() / 3;
-  if (names.size() != 3 * n || values.size() != width * n || totals.size() != 12 || counts.size() != 3)
+  if (names.size() != 3 * n || values.size() != width * n || totals.size() != 13 || counts.size() != 4)
     throw InputError("the checkpoint's contacts (" + prefix + ") do not belong to this scene");
 
   State state;
@@ -405,14 +437,15 @@ void ContactSet<dim>::load(const ArchiveReader &archive, const std::string &pref
     r.tangential_stiffness = v[1];
     r.offset               = v[2];
     r.depth                = v[3];
-    v += 4;
+    r.next                 = v[4];
+    v += 5;
     for (Point<dim> *p : {&r.normal, &r.spring, &r.slide, &r.force})
     {
       *p = Eigen::Map<const Point<dim>>(v);
       v += dim;
     }
   }
-  state.energy        = {totals[0], totals[1], totals[2], {totals[3], totals[4]}};
+  state.energy        = {totals[0], totals[1], totals[2], totals[12], {totals[3], totals[4]}};
   state.impulse       = totals[5];
   reference_dt_       = totals[6];
   state.last_drift    = totals[7];
@@ -422,7 +455,8 @@ void ContactSet<dim>::load(const ArchiveReader &archive, const std::string &pref
     throw InputError("the checkpoint's contacts (" + prefix + ") do not belong to this scene");
   state.plane_impulse = Eigen::Map<const Point<dim>>(planes.data());
   state.lost          = counts[0];
-  state.limit.culprit = {"contact", static_cast<int>(counts[1]), counts[2],
+  state.topology      = static_cast<std::uint64_t>(counts[1]);
+  state.limit.culprit = {"contact", static_cast<int>(counts[2]), counts[3],
                          Vec3(totals[9], totals[10], totals[11]),
                          "stiffness of its contacts against its mass"};
   kept_               = std::move(state);

@@ -15,7 +15,7 @@ namespace ogive::coupling
 {
 /// What contact did to the energy so far. The work of the contact forces is
 /// taken with the mean velocities over each kick, as the solvers take theirs:
-///   taken = stored + friction_heat + loss,
+///   taken = stored + friction_heat + eroded + loss,
 /// where `loss` is what neither the springs nor friction account for: contacts
 /// that open and close between two steps, and turning normals. J.
 struct ContactEnergy
@@ -23,8 +23,9 @@ struct ContactEnergy
   double taken         = 0; ///< minus the work done on the bodies
   double stored        = 0; ///< in the springs at t_{n+1/2}: sum 1/2 k g_n g_{n+1}, normal and tangential
   double friction_heat = 0;
+  double eroded        = 0; ///< was in springs of which a side died
   double work[2]       = {0, 0}; ///< on the points of each party
-  double loss() const { return taken - stored - friction_heat; }
+  double loss() const { return taken - stored - friction_heat - eroded; }
 };
 
 /// Bodies that already overlap at the start. Healed: their gap then counts as
@@ -102,16 +103,23 @@ private:
     double              last_drift = 0;
     Point<dim>          plane_impulse = Point<dim>::Zero();
     std::int64_t        lost       = 0;
+    std::uint64_t       topology   = 0; ///< of the mesh at the last gather
     StepLimit           limit;
   };
 
   /// Gives a contact found now its lasting properties and its force.
   void continue_contact(const Faces<dim> &, const ContactPair<dim> &, const Record *old, const List &, Record &);
   void begin_contact(const Faces<dim> &, const ContactPair<dim> &, const List &, Record &) const;
+  /// Where elements have died since the last gather, contacts go on without a
+  /// jump: what suddenly lies deeper has an offset, what lies less deep or has
+  /// ended gives its energy to `eroded`.
+  void   bridge_death(const Faces<dim> &, const ContactPair<dim> &, const Record *old, const List &, Record &);
+  /// Depth that the point may have gained in the last drift, m.
+  double gained(const Faces<dim> &, const ContactPair<dim> &, const List &, const Record &) const;
   /// Force on a carrier of a contact, N.
   static Point<dim> force_on(const Carrier<dim> &, const Record &);
   /// What the springs of a contact that has opened still hold becomes heat.
-  void end_contact(const Record &);
+  void end_contact(const Record &, bool death);
   void add_forces(Faces<dim> &) const;
   void limit_step(const Faces<dim> &);
   void review_overlaps(const Faces<dim> &, const ContactPair<dim> &, std::span<const Record>);

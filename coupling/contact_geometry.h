@@ -18,6 +18,7 @@ struct Foot
   Point<dim>                  where   = Point<dim>::Zero();
   Point<dim>                  normal  = Point<dim>::Zero(); ///< outward, unit length; zero where degenerate
   std::array<double, n_nodes> weight{};                     ///< sum 1; where = sum weight * corner
+  int                         triangle = 0;                 ///< of a quad: the one it lies in
   double                      distance2 = std::numeric_limits<double>::infinity();
 };
 
@@ -116,6 +117,7 @@ Foot<dim> foot_on_facet(const Point<dim>                                        
       foot.weight.fill(.25 * w[2]);
       foot.weight[k] += w[0];
       foot.weight[l] += w[1];
+      foot.triangle = k;
       if (area > 0)
         foot.normal = normal / area;
       foot.distance2 = (p - foot.where).squaredNorm();
@@ -128,6 +130,38 @@ Foot<dim> foot_on_facet(const Point<dim>                                        
   return best;
 }
 
+/// Moves the foot to the projection of the point on the plane of the facet (of
+/// the foot's triangle), past its edges if need be: weights may leave [0, 1],
+/// their sum stays 1, and the distance to the plane has them as its gradient.
+template <int dim>
+void draw_on(const Point<dim> &p, const std::array<Point<dim>, Surface<dim>::Facet::n_nodes> &corner, Foot<dim> &foot)
+{
+  if constexpr (dim == 2)
+  {
+    const Point<2> ab     = corner[1] - corner[0];
+    const double   square = ab.squaredNorm();
+    const double   t      = square > 0 ? (p - corner[0]).dot(ab) / square : 0;
+    foot.weight           = {1 - t, t};
+  }
+  else if constexpr (dim == 3)
+  {
+    const int      k = foot.triangle, l = (k + 1) % 4;
+    const Point<3> centroid = .25 * (corner[0] + corner[1] + corner[2] + corner[3]);
+    const Point<3> b = corner[l] - corner[k], c = centroid - corner[k], normal = b.cross(c);
+    const double   square = normal.squaredNorm();
+    if (!(square > 0))
+      return;
+    const double wb = (p - corner[k]).cross(c).dot(normal) / square;
+    const double wc = b.cross(p - corner[k]).dot(normal) / square;
+    foot.weight.fill(.25 * wc);
+    foot.weight[k] += 1 - wb - wc;
+    foot.weight[l] += wb;
+  }
+  foot.where.setZero();
+  for (int k = 0; k < Foot<dim>::n_nodes; ++k)
+    foot.where += foot.weight[k] * corner[k];
+}
+
 /// Where a point stands against a surface.
 template <int dim>
 struct Stand
@@ -137,6 +171,13 @@ struct Stand
   Foot<dim>     foot;
   double        distance  = std::numeric_limits<double>::infinity(); ///< > 0 outside, m
   Point<dim>    direction = Point<dim>::Zero();                      ///< unit, from the surface outwards
+
+  /// A node past the rim of the face that it meets: how far it is outside, and
+  /// from which facet (of the side). 0: not past it.
+  double        overhang   = 0; ///< m
+  std::uint32_t side_facet = 0;
+  Foot<dim>     side;
+  Point<dim>    aside = Point<dim>::Zero(); ///< unit, from the side outwards
 };
 
 /// Completes distance and direction from the nearest foot. Very near the

@@ -12,19 +12,9 @@ namespace
 constexpr double skin_share = .25;
 // Depth, in facets, at which a contact is given up.
 constexpr double deepest = 2;
-// Facets turned by more than about 115 degrees from a contact's last normal
-// belong to the far side of the body.
-constexpr double same_side = -.43;
-// A point keeps to the facets within 60 degrees of its last normal ...
-constexpr double same_face = .5;
-// ... while it is straight behind them, within 26 degrees.
-constexpr double straight = .9;
-// A face that looks the same way as a node's own surface, within about 70
-// degrees, is none that the node can have come through: the side of a body
-// drawn flush, the far side of a thin one.
-constexpr double alike = .3;
-// Bodies drawn flush differ by rounding of their coordinates.
-constexpr double flush = 1e-6;
+// A node stands for half a facet to either side, so a face carries nodes that
+// are up to half a facet past its rim, the less the farther.
+constexpr double rim_share = .5;
 
 template <int dim>
 double largest_radius(const Faces<dim> &faces, int party, const std::vector<std::uint32_t> &points)
@@ -82,6 +72,7 @@ void ContactPair<dim>::measure(const Faces<dim> &faces, const std::vector<int> &
     size_ = std::max(size_, point_size);
   max_depth_    = deepest * size_;
   half_spacing_ = .5 * (point_size > 0 ? std::min(point_size, size_) : size_);
+  rim_          = dim > 1 && point_party_ == mesh_party && other_party_ == mesh_party ? rim_share * size_ : 0;
   // Nothing to measure by: a lone end point, met by nodes. It has one side.
   if (!std::isfinite(half_spacing_))
     half_spacing_ = 0;
@@ -196,123 +187,6 @@ double ContactPair<dim>::motion(std::span<const Point<dim>> positions) const
 }
 
 template <int dim>
-template <class Accept>
-Stand<dim> ContactPair<dim>::nearest(const Faces<dim> &faces, std::size_t query, const Accept &accept) const
-{
-  const Point<dim> p = faces.position(point_party_, points_[query]);
-  Stand<dim>       stand;
-  for (const std::uint32_t f : list_.of(query))
-  {
-    std::array<Point<dim>, Facet::n_nodes> corner;
-    Point<dim>                             middle = Point<dim>::Zero();
-    for (int k = 0; k < Facet::n_nodes; ++k)
-    {
-      corner[k] = faces.position(other_party_, facets_[f].node[k]);
-      middle += corner[k] / Facet::n_nodes;
-    }
-    // A facet that lies wholly farther than the best one needs no closer look.
-    if (stand.found)
-    {
-      double reach = 0;
-      for (const auto &c : corner)
-        reach = std::max(reach, (c - middle).squaredNorm());
-      const double least = (p - middle).norm() - std::sqrt(reach);
-      if (least > 0 && least * least > 1.0001 * stand.foot.distance2)
-        continue;
-    }
-    const Foot<dim> foot = foot_on_facet<dim>(p, corner, facets_[f].outward);
-    if (accept(foot, facets_[f]) && (!stand.found || better_foot<dim>(p, foot, stand.foot)))
-    {
-      stand.found = true;
-      stand.facet = f;
-      stand.foot  = foot;
-    }
-  }
-  if (stand.found)
-    finish_stand(p, half_spacing_, stand);
-  return stand;
-}
-
-template <int dim>
-double ContactPair<dim>::approach(const Faces<dim> &faces, std::size_t query, const Foot<dim> &foot,
-                                  const Facet &facet) const
-{
-  Point<dim> velocity = faces.velocity(point_party_, points_[query]);
-  for (int k = 0; k < Facet::n_nodes; ++k)
-    velocity -= foot.weight[k] * faces.velocity(other_party_, facet.node[k]);
-  return -velocity.dot(foot.normal);
-}
-
-template <int dim>
-Point<dim> ContactPair<dim>::own_normal(const Faces<dim> &faces, std::size_t query) const
-{
-  Point<dim> sum = Point<dim>::Zero();
-  for (std::size_t k = own_first_[query]; k < own_first_[query + 1]; ++k)
-    sum += facet_area<dim>(faces, point_party_, own_facets_[own_[k]]);
-  const double length = sum.norm();
-  return length > 0 ? Point<dim>(sum / length) : sum;
-}
-
-template <int dim>
-Stand<dim> ContactPair<dim>::came_through(const Faces<dim> &faces, std::size_t query, const Stand<dim> &nearest_one,
-                                          const Point<dim> &own, const Point<dim> *last_normal) const
-{
-  const Stand<dim> found = nearest(faces, query, [&](const Foot<dim> &foot, const Facet &) {
-    return foot.normal.dot(own) <= alike && (!last_normal || foot.normal.dot(*last_normal) >= same_side);
-  });
-  return found.found ? found : nearest_one;
-}
-
-template <int dim>
-Stand<dim> ContactPair<dim>::lasting(const Faces<dim> &faces, std::size_t query,
-                                     const Point<dim> &last_normal) const
-{
-  const Stand<dim> stand = nearest(faces, query, [&](const Foot<dim> &foot, const Facet &) {
-    return foot.normal.dot(last_normal) >= same_side;
-  });
-  if (!stand.found || stand.distance >= flush * half_spacing_)
-    return stand;
-  const Point<dim> own = own_normal(faces, query);
-  if (!own.isZero())
-    return came_through(faces, query, stand, own, &last_normal);
-  // A lone point has no side of its own. Inside, near an edge, it keeps to the
-  // face that it came through.
-  const Point<dim> p    = faces.position(point_party_, points_[query]);
-  const Stand<dim> same = nearest(faces, query, [&](const Foot<dim> &foot, const Facet &) {
-    return foot.normal.dot(last_normal) >= same_face &&
-           (foot.where - p).dot(foot.normal) >= straight * std::sqrt(foot.distance2);
-  });
-  return same.found ? same : stand;
-}
-
-template <int dim>
-Stand<dim> ContactPair<dim>::entering(const Faces<dim> &faces, std::size_t query, double last_drift) const
-{
-  const double     tolerance = flush * half_spacing_;
-  const double     r         = faces.radius(point_party_, points_[query]);
-  const Stand<dim> stand = nearest(faces, query, [](const Foot<dim> &, const Facet &) { return true; });
-  if (!stand.found || stand.distance >= std::max(r, tolerance) || (stand.distance >= 0 && r > 0))
-    return stand;
-  const Point<dim> own = own_normal(faces, query);
-  if (!own.isZero())
-    return came_through(faces, query, stand, own, nullptr);
-
-  // A lone point that is suddenly inside came through a facet during the last
-  // step; near an edge, or in a thin body, that need not be the nearest one.
-  const Point<dim> p       = faces.position(point_party_, points_[query]);
-  const Stand<dim> crossed = nearest(faces, query, [&](const Foot<dim> &foot, const Facet &facet) {
-    const double depth = (foot.where - p).dot(foot.normal);
-    return depth > 0 && depth >= straight * std::sqrt(foot.distance2) &&
-           depth <= 1.001 * last_drift * approach(faces, query, foot, facet) + tolerance;
-  });
-  if (crossed.found || stand.distance >= 0)
-    return crossed;
-  return nearest(faces, query, [&](const Foot<dim> &foot, const Facet &facet) {
-    return approach(faces, query, foot, facet) > 0;
-  });
-}
-
-template <int dim>
 void ContactPair<dim>::detect_balls(const Faces<dim> &faces, std::size_t query, List &found) const
 {
   const std::uint32_t i  = points_[query];
@@ -389,17 +263,30 @@ void ContactPair<dim>::add_facet(const Faces<dim> &faces, std::size_t query, con
   const std::uint32_t i = points_[query];
   Record              record;
   record.key    = {index_, faces[point_party_].id[i], -1};
-  record.slope = record.normal = stand.direction;
   record.depth  = faces.radius(point_party_, i) - stand.distance;
   record.point  = i;
   record.first  = static_cast<std::uint32_t>(found.carriers.size());
-  for (int k = 0; k < Facet::n_nodes; ++k)
+  const auto carry = [&](std::uint32_t facet, const Foot<dim> &foot, double weight, const Point<dim> &slope) {
+    record.slope += slope;
+    for (int k = 0; k < Facet::n_nodes; ++k)
+    {
+      const std::uint32_t node = facets_[facet].node[k];
+      found.carriers.push_back({node, faces[other_party_].id[node], weight * foot.weight[k],
+                                foot.weight[k] * slope, Point<dim>::Ones()});
+    }
+  };
+  if (stand.overhang > 0)
   {
-    Carrier<dim> &carrier = found.carriers.emplace_back();
-    carrier.index         = facets_[stand.facet].node[k];
-    carrier.id            = faces[other_party_].id[carrier.index];
-    carrier.weight        = stand.foot.weight[k];
-    carrier.slope         = carrier.weight * record.slope;
+    const double past = stand.overhang / rim_, left = 1 - past * past;
+    carry(stand.side_facet, stand.side, 0, 2 * record.depth * past / rim_ * stand.aside);
+    carry(stand.facet, stand.foot, 1, left * stand.direction);
+    record.depth *= left;
+    record.normal = record.slope.normalized();
+  }
+  else
+  {
+    carry(stand.facet, stand.foot, 1, stand.direction);
+    record.normal = stand.direction;
   }
   record.last = static_cast<std::uint32_t>(found.carriers.size());
   found.records.push_back(record);
@@ -445,7 +332,7 @@ void ContactPair<dim>::detect(const Faces<dim> &faces, std::span<const Record> o
     const Stand<dim> stand = lasts ? lasting(faces, q, old[o].normal) : entering(faces, q, last_drift);
     if (!stand.found || stand.distance >= r)
     {
-      safe_[q] = stand.found ? travel_ + stand.distance - std::max(r, 2 * flush * half_spacing_) : 0;
+      safe_[q] = stand.found ? travel_ + stand.distance - std::max({r, rim_, 2 * flush_share * half_spacing_}) : 0;
       continue;
     }
     if (-stand.distance > max_depth_)
@@ -463,7 +350,7 @@ void ContactPair<dim>::detect_overlaps(const Faces<dim> &faces, List &found) con
       meeting_ == Meeting::balls ? detect_balls(faces, q, found) : detect_particles(faces, q, found);
     else
     {
-      const auto stand = nearest(faces, q, [](const Foot<dim> &, const Facet &) { return true; });
+      const Stand<dim> stand = anywhere(faces, q);
       if (stand.found && stand.distance < faces.radius(point_party_, points_[q]))
         add_facet(faces, q, stand, found);
     }

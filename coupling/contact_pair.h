@@ -59,6 +59,7 @@ struct ContactRecord
   Point<dim> spring    = Point<dim>::Zero(); ///< tangential, m
   Point<dim> slide     = Point<dim>::Zero(); ///< relative motion over the last drift, m
   double     depth     = 0;                  ///< penetration less offset, m, at t_n
+  double     next      = 0;                  ///< what it should be at t_{n+1}, m
   double     tangential_stiffness = 0;       ///< 0 without friction
 
   std::uint32_t point = 0;
@@ -98,6 +99,10 @@ enum class Meeting
 /// than 1, so that a lattice pressed by less than .3 of its spacing has no
 /// cobbles.
 inline constexpr double ball_share = .7;
+
+/// Bodies drawn flush differ by rounding of their coordinates: by less than this
+/// share of half a spacing.
+inline constexpr double flush_share = 1e-6;
 
 /// Geometry of one direction of one contact: points of one body against the
 /// facets or particles of another. Holds nothing that a restart would miss.
@@ -145,11 +150,15 @@ private:
   /// The nearest of the candidate facets whose feet `accept` lets pass.
   template <class Accept>
   Stand<dim> nearest(const Faces<dim> &, std::size_t query, const Accept &accept) const;
+  /// As the bodies stand, without a past.
+  Stand<dim> anywhere(const Faces<dim> &, std::size_t query) const;
   Stand<dim> lasting(const Faces<dim> &, std::size_t query, const Point<dim> &last_normal) const;
-  /// For a node inside, or on a face: the nearest facet that does not look the
-  /// same way as the node's own surface.
-  Stand<dim> came_through(const Faces<dim> &, std::size_t query, const Stand<dim> &nearest_one,
-                          const Point<dim> &own, const Point<dim> *last_normal) const;
+  /// For a node: the nearest facet that does not look the same way as the node's
+  /// own surface, also a little past the rim of that facet's face.
+  Stand<dim> facing(const Faces<dim> &, std::size_t query, const Stand<dim> &nearest_one, const Point<dim> &own,
+                    const Point<dim> *last_normal) const;
+  /// Corners of a facet of the other side.
+  std::array<Point<dim>, Facet::n_nodes> corners(const Faces<dim> &, std::uint32_t facet) const;
   Stand<dim> entering(const Faces<dim> &, std::size_t query, double last_drift) const;
   /// Speed at which the point goes through the facet, inwards, m/s.
   double approach(const Faces<dim> &, std::size_t query, const Foot<dim> &, const Facet &) const;
@@ -175,6 +184,7 @@ private:
   double        size_         = 0; ///< typical facet edge or particle spacing of the other side, m
   double        max_depth_    = 0;
   double        half_spacing_ = 0;
+  double        rim_          = 0; ///< how far past its rim a face still carries a node, m
   ParticleField<dim> field_; ///< where the other side is particles
 
   std::vector<std::uint32_t> points_, others_; ///< others_: particles, or facet nodes to watch

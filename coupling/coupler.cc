@@ -172,6 +172,7 @@ CouplingBalance Coupler<dim>::balance() const
   balance.contact_stored    = contact.stored;
   balance.friction_heat     = contact.friction_heat;
   balance.contact_taken     = contact.taken;
+  balance.contact_eroded    = contact.eroded;
   balance.contact_loss      = contact.loss();
   balance.work_on_mesh      = contact.work[mesh_party];
   balance.work_on_particles = contact.work[particle_party];

@@ -29,6 +29,7 @@ struct CouplingBalance
   double contact_stored = 0; ///< in the springs: part of the total
   double friction_heat  = 0; ///< part of the total
   double contact_taken  = 0; ///< minus the work of contact on the bodies
+  double contact_eroded = 0; ///< was in springs of which a side died
   double contact_loss   = 0; ///< taken - stored - heat: numerical, not in the total
   double conversion_heat = 0; ///< of elements turned into particles: part of the total
   double interface_work = 0; ///< net work of the interfaces: numerical, not in the total

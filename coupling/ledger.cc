@@ -33,6 +33,7 @@ void for_each_column(Row &row, F &&f)
   f("external_work [J]", row.external_work);
   f("absorbed [J]", row.absorbed);
   f("wall_loss [J]", row.wall_loss);
+  f("eroded_energy [J]", row.eroded_energy);
   f("total [J]", row.total);
   f("drift [1]", row.drift);
   f("mass [kg]", row.mass);
@@ -45,12 +46,14 @@ void for_each_column(Row &row, F &&f)
   f("external_impulse_x [N s]", row.external_impulse[0]);
   f("external_impulse_y [N s]", row.external_impulse[1]);
   f("external_impulse_z [N s]", row.external_impulse[2]);
+  f("eroded_mass [kg]", row.eroded_mass);
+  f("eroded_elements [1]", row.eroded_elements);
   f("gradient_fallbacks [1]", row.gradient_fallbacks);
 }
 
 double books(const Balance &b, double work_of_coupling)
 {
-  return b.kinetic + b.internal() + b.friction_heat + b.wall_loss + b.absorbed - b.external_work -
+  return b.kinetic + b.internal() + b.friction_heat + b.wall_loss + b.absorbed + b.eroded_energy - b.external_work -
          work_of_coupling;
 }
 
@@ -97,11 +100,14 @@ LedgerRow ledger_row(const Balance &fem, const Balance &sph, const CouplingBalan
   row.external_work       = sum.external_work;
   row.absorbed            = sum.absorbed;
   row.wall_loss           = sum.wall_loss;
+  row.eroded_energy       = sum.eroded_energy + coupling.contact_eroded;
   row.total = row.kinetic + row.internal() + row.contact + row.friction + row.conversion_heat + row.absorbed +
-              row.wall_loss;
-  row.mass             = sum.mass;
-  row.momentum         = sum.momentum;
-  row.angular_momentum = sum.angular_momentum;
+              row.wall_loss + row.eroded_energy;
+  row.mass             = sum.mass + sum.eroded_mass;
+  row.momentum         = sum.momentum + sum.eroded_momentum;
+  row.angular_momentum = sum.angular_momentum + sum.eroded_angular_momentum;
+  row.eroded_mass      = sum.eroded_mass;
+  row.eroded_elements  = sum.eroded_elements;
   row.external_impulse = sum.external_impulse + coupling.plane_impulse;
   row.gradient_fallbacks = sum.gradient_fallbacks;
   row.mesh_books       = books(fem, coupling.work_on_mesh);

@@ -15,7 +15,7 @@ namespace ogive::coupling
 ///
 ///   total = kinetic + elastic + plastic_work + viscosity_heat
 ///         + bulk_viscosity_heat + hourglass_fem + hourglass_sph + contact
-///         + friction + conversion_heat + absorbed + wall_loss
+///         + friction + conversion_heat + absorbed + wall_loss + eroded_energy
 ///
 /// counts what the bodies and springs hold and what left them on known ways.
 /// `thermal` is a part of plastic_work; interface_work and contact_loss are
@@ -28,14 +28,17 @@ struct LedgerRow
   double contact = 0, contact_loss = 0, friction = 0;
   double interface_work = 0, conversion_heat = 0;
   double external_work = 0, absorbed = 0, wall_loss = 0;
+  double eroded_energy = 0; ///< kinetic and internal energy of dead elements, springs that pressed them
   double total = 0;
   double drift = 0; ///< filled by Ledger::enter
 
+  /// Dead elements count: what left with them flies on freely.
   double mass             = 0;
   Vec3   momentum         = Vec3::Zero();
   Vec3   angular_momentum = Vec3::Zero(); ///< about the origin
   Vec3   external_impulse = Vec3::Zero(); ///< given by walls, boundaries and symmetry planes
 
+  double eroded_mass = 0, eroded_elements = 0;
   double gradient_fallbacks = 0; ///< particles without corrected gradient in the step before
 
   /// Each party's energy less what external and coupling forces gave it: stays

@@ -123,6 +123,8 @@ io::Summary::Checks RunReport::checks() const
   checks.mass_drift         = (last.mass - first.mass) / first.mass;
   checks.energy_drift       = books_.drift();
   checks.hourglass_fraction = last.internal() > 0 ? (last.hourglass_fem + last.hourglass_sph) / last.internal() : 0.;
+  checks.eroded_elements    = last.eroded_elements;
+  checks.eroded_mass_share  = last.eroded_mass / first.mass;
   checks.gradient_fallbacks = books_.most_fallbacks();
 
   // measured against the momentum that the greatest energy of the run could carry

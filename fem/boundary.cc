@@ -175,6 +175,8 @@ bool RigidWalls<dim>::touch(std::size_t w, std::uint32_t node, const TimeStep &s
   const input::RigidWall &wall = walls_[w];
   double                  gap  = 0; // where the node would be at t_{n+1}
   const double            time = step.time + step.drift;
+  if (!(nodes.mass[node] > 0)) // its elements are dead
+    return false;
   for (int i = 0; i < dim; ++i)
     gap += wall.normal[i] * (nodes.x[i][node] + step.drift * nodes.v[i][node] -
                              (wall.point[i] + wall.velocity[i] * time));

@@ -31,7 +31,7 @@ void CriticalStep<dim>::scale(const Nodes<dim> &nodes, const Bonds &bonds)
   for (int i = 0; i < dim; ++i)
     for (std::size_t a = 0; a < nodes.size(); ++a)
     {
-      if (bonds.held.prescribed(a, i) || bonds.constraints.is_slave(a))
+      if (bonds.held.prescribed(a, i) || bonds.constraints.is_slave(a) || !(nodes.mass[a] > 0))
         motion_[i][a] = 0;
       sum += nodes.mass[a] * motion_[i][a] * motion_[i][a];
     }
@@ -99,7 +99,8 @@ typename CriticalStep<dim>::Answer CriticalStep<dim>::estimate(const Groups &gro
     ++answer.iterations;
     for (int i = 0; i < dim; ++i)
       for (std::size_t a = 0; a < nodes.size(); ++a)
-        motion_[i][a] = (.5 * dt * damp_[i][a] + .25 * dt * dt * stiff_[i][a]) / nodes.mass[a];
+        motion_[i][a] =
+          nodes.mass[a] > 0 ? (.5 * dt * damp_[i][a] + .25 * dt * dt * stiff_[i][a]) / nodes.mass[a] : 0;
     scale(nodes, bonds);
   }
   double largest = -1;

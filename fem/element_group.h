@@ -3,6 +3,7 @@
 
 #include "core/base/balance.h"
 #include "core/base/culprit.h"
+#include "core/base/error.h"
 #include "core/base/sample.h"
 #include "core/input/scene.h"
 #include "core/time/time_step.h"
@@ -13,6 +14,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace ogive::fem
 {
@@ -21,6 +23,7 @@ struct GroupPlace
 {
   std::size_t first_node    = 0; ///< of the body, among the solver's nodes
   std::size_t first_element = 0; ///< global id of the group's first element
+  std::size_t grave         = 0; ///< first of 2^dim nodes where the dead of an eroding body rest
 };
 
 /// The elements of one body in one formulation, with their history. One virtual
@@ -67,6 +70,30 @@ public:
   virtual void add_energies(Balance &) const                   = 0;
   virtual void sample(const Nodes<dim> &, Sample &) const      = 0;
   virtual void for_each_state(const Visitor &)                 = 0;
+
+  /// What leaves with an element: lumped mass at its corners, kg; all of its
+  /// internal energy, hourglass energy included, J.
+  struct Remains
+  {
+    std::array<double, corners> mass{};
+    double                      internal_energy = 0;
+  };
+  /// Death of elements. Formulations whose elements cannot die keep these.
+  /// Called once before the first step: places the nodes of the grave.
+  virtual void prepare_erosion(Nodes<dim> &)
+  {
+    throw InputError({"", 0, "Bodies"}, "elements of this formulation cannot die", "erosion none");
+  }
+  /// Adds the living that must die now: all points of an element have failed, or
+  /// one of the other criteria holds. Ascending.
+  virtual void find_failed(const input::Erosion &, std::vector<std::size_t> &) const {}
+  /// Corner forces, stress and hourglass forces of e are zero from now on.
+  virtual Remains kill(std::size_t) { return {}; }
+  virtual bool    alive(std::size_t) const { return true; }
+  /// Nodal forces of those who are left.
+  virtual void sum_forces() {}
+  /// After the state was read or taken back: sorts the living from the dead.
+  virtual void rebury() {}
 };
 
 /// Elements of the formulation that the mesh names (input::Body::element).

@@ -250,6 +250,7 @@ BodyMesh<dim> make_mesh(const input::Body &body, const input::Scene &scene, int 
   BodyMesh<dim> mesh;
   mesh.body         = body_index;
   mesh.material     = std::move(material);
+  mesh.erosion      = body.erosion;
   mesh.axisymmetric = scene.dimension == input::Dimension::axisymmetric;
 
   Triangulation<dim> triangulation(Triangulation<dim>::limit_level_difference_at_vertices);

@@ -39,6 +39,7 @@ struct BodyMesh
 
   int                                        body = -1; ///< index into the scene's bodies
   std::shared_ptr<const materials::Material> material;
+  input::Erosion                             erosion;
   bool                                       axisymmetric = false; ///< dim 2: x = r, y = axis
   std::array<std::vector<double>, dim>       x;  ///< m
   std::array<std::vector<double>, dim>       v;  ///< initial velocity, m/s

@@ -37,6 +37,8 @@ OnePointGroup<Element>::OnePointGroup(const BodyMesh<dim> &mesh, const GroupPlac
   // A fluid has no shear stiffness; a tenth of its bulk modulus resists the
   // patterns without stiffening the volume response.
   , hourglass_modulus_(shear_modulus_ > 0 ? shear_modulus_ : .1 * mesh.material->bulk_modulus())
+  , grave_(place.grave)
+  , by_step_(mesh.erosion.on && mesh.erosion.step > 0)
 {
   require(n_ > 0, "a body without elements");
   node_.resize(padded_n_ * corners);
@@ -45,6 +47,8 @@ OnePointGroup<Element>::OnePointGroup(const BodyMesh<dim> &mesh, const GroupPlac
     a->resize(padded_n_, 0.);
   corner_force_.resize(padded_n_ * corners * dim, 0.);
   Q_.resize(padded_n_ * modes * dim, 0.);
+  if (by_step_)
+    bound_.resize(padded_n_, 0.);
   corner_mass_.resize(Element::hoop ? padded_n_ * corners : 0);
   points_.resize(padded_n_);
   material_->initialise(points_, 0, padded_n_);
@@ -155,7 +159,8 @@ void OnePointGroup<Element>::scatter(std::size_t begin, std::size_t count)
           const std::uint32_t *node  = &node_[(pack * corners + a) * width];
           const std::size_t    lanes = std::min(width, n_ - pack * width);
           for (std::size_t lane = 0; lane < lanes; ++lane)
-            sum[node[lane] - first_node_] += force[lane];
+            if (const std::size_t at = node[lane] - first_node_; at < nodal_force_[i].size()) // else a grave
+              sum[at] += force[lane];
         }
       }
     }
@@ -373,6 +378,8 @@ void OnePointGroup<Element>::stress(std::size_t pack, const Shape &shape, const 
       store(force[a][i], f);
 
   const VDouble bound   = .5 * damping + stdx::sqrt(.25 * damping * damping + frequency2);
+  if (by_step_)
+    store(bound, &bound_[e]);
   const double  largest = stdx::hmax(bound);
   if (largest > limit_[0])
   {

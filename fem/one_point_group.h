@@ -35,6 +35,14 @@ public:
   void       sample(const Nodes<dim> &, Sample &) const override;
   void       for_each_state(const Visitor &) override;
 
+  using typename ElementGroup<dim>::Remains;
+  void    prepare_erosion(Nodes<dim> &) override;
+  void    find_failed(const input::Erosion &, std::vector<std::size_t> &) const override;
+  Remains kill(std::size_t e) override;
+  bool    alive(std::size_t e) const override { return alive_.empty() || alive_[e] > 0; }
+  void    sum_forces() override;
+  void    rebury() override;
+
 private:
   static constexpr std::size_t width       = simd_width;
   static constexpr std::size_t block_packs = 8; ///< packs between two calls of the material
@@ -68,6 +76,8 @@ private:
                                            const Gram<Element, VDouble> &unit) const;
 
   void fetch(std::size_t begin, std::size_t count);
+  /// Points the corners of e to its own nodes or to the grave.
+  void bury(std::size_t e);
 
   StepStatus fail(const Nodes<dim> &, std::size_t e, const char *why) const;
   StepStatus first_bad(const Nodes<dim> &, std::size_t pack) const;
@@ -96,5 +106,13 @@ private:
   AlignedVector<double> hourglass_energy_;  ///< J
   AlignedVector<double> viscous_heat_;      ///< J
   AlignedVector<double> limit_;             ///< largest 2/dt (1/s) and the element that sets it
+
+  // A dead element is a virgin one that rests at nodes of its own: the loops
+  // over packs need no branch and no mask.
+  std::size_t                grave_, model_ = 0; ///< its first node; the element whose shape it has
+  bool                       by_step_; ///< elements may die by their bound of the step
+  std::vector<std::uint32_t> own_;     ///< node_ while all live; empty where none can die
+  AlignedVector<double>      alive_;   ///< 1 or 0, empty where none can die
+  AlignedVector<double>      bound_;   ///< 2/dt of each element, 1/s; where by_step_
 };
 } // namespace ogive::fem

@@ -15,7 +15,7 @@ auto OnePointGroup<Element>::nodes(std::size_t e) const -> std::array<std::uint3
 {
   std::array<std::uint32_t, corners> n;
   for (int a = 0; a < corners; ++a)
-    n[a] = node_[slot(e, a, corners)];
+    n[a] = (own_.empty() ? node_ : own_)[slot(e, a, corners)];
   return n;
 }
 
@@ -94,6 +94,8 @@ void OnePointGroup<Element>::add_energies(Balance &balance) const
   double internal = 0, plastic = 0, heat = 0, patterns = 0;
   for (std::size_t e = 0; e < n_; ++e)
   {
+    if (!alive(e))
+      continue;
     internal += mass_[e] * points_.energy[e];
     plastic += mass_[e] * points_.plastic_work[e];
     heat += viscous_heat_[e];
@@ -122,7 +124,7 @@ void OnePointGroup<Element>::sample(const Nodes<dim> &nodes, Sample &sample) con
   {
     for (int a = 0; a < corners; ++a)
     {
-      const std::uint32_t node       = node_[slot(e, a, corners)];
+      const std::uint32_t node       = (own_.empty() ? node_ : own_)[slot(e, a, corners)];
       sample.cells[e * corners + a]  = static_cast<std::uint32_t>(node - first);
       for (int i = 0; i < dim; ++i)
       {
@@ -159,6 +161,13 @@ void OnePointGroup<Element>::for_each_state(const Visitor &visit)
   visit("hourglass_energy", hourglass_energy_);
   visit("viscous_heat", viscous_heat_);
   visit("limit", limit_);
+  if (!alive_.empty())
+  {
+    visit("alive", alive_);
+    visit("element_mass", mass_);
+    visit("corner_mass", corner_mass_);
+    visit("bound", bound_);
+  }
 }
 
 template class OnePointGroup<Line2>;

@@ -23,6 +23,7 @@ template <int dim>
 void Solver<dim>::Implementation::build(std::vector<BodyMesh<dim>> meshes)
 {
   std::vector<std::size_t> first_node;
+  std::vector<GroupPlace>  place;
   std::size_t              n_nodes = 0, n_elements = 0;
   for (const auto &mesh : meshes)
   {
@@ -33,11 +34,18 @@ void Solver<dim>::Implementation::build(std::vector<BodyMesh<dim>> meshes)
     n_elements += mesh.n_cells();
   }
   constraints = Constraints<dim>(parameters, meshes, first_node);
-  nodes.resize(n_nodes);
+  std::size_t n_all = n_nodes; // with the graves of eroding bodies
+  for (std::size_t b = 0; b < meshes.size(); ++b)
+  {
+    place.push_back({first_node[b], parts[b].first_element, n_all});
+    n_all += meshes[b].erosion.on ? ElementGroup<dim>::corners : 0;
+  }
+  nodes.resize(n_all);
+  std::fill(nodes.body.begin() + static_cast<std::ptrdiff_t>(n_nodes), nodes.body.end(), -1);
   for (int i = 0; i < dim; ++i)
   {
-    v_old[i].resize(n_nodes, 0.);
-    load[i].resize(n_nodes, 0.);
+    v_old[i].resize(n_all, 0.);
+    load[i].resize(n_all, 0.);
   }
   for (std::size_t b = 0; b < meshes.size(); ++b)
   {
@@ -53,9 +61,11 @@ void Solver<dim>::Implementation::build(std::vector<BodyMesh<dim>> meshes)
         nodes.v[i][node]                     = mesh.v[i].at(a);
       }
     }
-    groups.push_back(make_element_group<dim>(mesh, {first_node[b], parts[b].first_element}, parameters.options));
+    groups.push_back(make_element_group<dim>(mesh, place[b], parameters.options));
     groups.back()->lump_mass(nodes);
     groups.back()->initialise(nodes);
+    if (mesh.erosion.on)
+      groups.back()->prepare_erosion(nodes);
   }
   for (std::size_t a = 0; a < n_nodes; ++a)
     if (!(nodes.mass[a] > 0))
@@ -66,39 +76,36 @@ void Solver<dim>::Implementation::build(std::vector<BodyMesh<dim>> meshes)
   constraints.follow(nodes);
   loads     = Loads<dim>(parameters, meshes, first_node, constraints);
   absorbing = AbsorbingFaces<dim>(parameters, meshes, first_node, constraints);
-  build_surface(meshes);
-  std::vector<std::uint32_t> free = face.contact_points; // slaves stop where their masters do
-  std::erase_if(free, [this](std::uint32_t a) { return constraints.is_slave(a); });
-  walls    = RigidWalls<dim>(parameters, std::move(free));
-  critical = CriticalStep<dim>(n_nodes);
+  erosion   = Erosion<dim>(meshes, place, constraints, parameters.axisymmetric);
+  face.n    = nodes.size();
+  review_erosion();
+  walls    = RigidWalls<dim>(parameters, wall_nodes(meshes));
+  critical = CriticalStep<dim>(nodes.size());
   if (parameters.options.step_bound == "power-iteration")
     sharpening[0] = std::max(1., find_critical(1e-6, 5000).dt / element_limit().dt);
 }
 
+// Nodes of eroding bodies may come to the surface.
 template <int dim>
-void Solver<dim>::Implementation::build_surface(const std::vector<BodyMesh<dim>> &meshes)
+std::vector<std::uint32_t>
+Solver<dim>::Implementation::wall_nodes(const std::vector<BodyMesh<dim>> &meshes) const
 {
-  std::vector<bool> touches(nodes.size(), false);
+  std::vector<std::uint32_t> touching = face.contact_points;
   for (std::size_t b = 0; b < meshes.size(); ++b)
-    for (std::size_t f = 0; f < meshes[b].facets.size(); ++f)
-    {
-      const auto &facet = meshes[b].facets[f];
-      if (meshes[b].boundary_names[facet.boundary].starts_with("symmetry") || constraints.covered(b, f))
-        continue;
-      typename Surface<dim>::Facet out;
-      for (std::size_t k = 0; k < out.node.size(); ++k)
-      {
-        out.node[k]          = static_cast<std::uint32_t>(parts[b].first_node + facet.node[k]);
-        touches[out.node[k]] = true;
-      }
-      out.body    = meshes[b].body;
-      out.element = static_cast<std::uint32_t>(parts[b].first_element + facet.cell);
-      out.outward = facet.outward;
-      face.facets.push_back(out);
-    }
-  for (std::size_t a = 0; a < nodes.size(); ++a)
-    if (touches[a])
-      face.contact_points.push_back(static_cast<std::uint32_t>(a));
+    for (std::size_t a = parts[b].first_node; meshes[b].erosion.on && a < parts[b].last_node; ++a)
+      touching.push_back(static_cast<std::uint32_t>(a));
+  // Slaves stop where their masters do.
+  std::erase_if(touching, [this](std::uint32_t a) { return constraints.is_slave(a); });
+  std::sort(touching.begin(), touching.end());
+  touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
+  return touching;
+}
+
+/// The surface of those who live.
+template <int dim>
+void Solver<dim>::Implementation::review_erosion()
+{
+  erosion.review(groups, face);
 }
 
 template <int dim>
@@ -180,6 +187,8 @@ StepStatus Solver<dim>::step(const TimeStep &step)
       return status;
     s.updates += s.groups[g]->size();
   }
+  if (s.erosion.any() && s.erosion.kill_failed(s.groups, s.nodes))
+    s.review_erosion();
   if (s.parameters.options.step_bound == "power-iteration")
     s.sharpen();
   return s.check_nodes();
@@ -202,7 +211,7 @@ void Solver<dim>::Implementation::kick(const TimeStep &step)
       for (std::size_t a = 0; a < n; ++a)
       {
         old[a] = v[a];
-        v[a] += step.kick / mass[a] * (element[a] + force[a] + press[a]);
+        v[a] += (mass[a] > 0 ? step.kick / mass[a] : 0.) * (element[a] + force[a] + press[a]); // no elements: none
         force[a] = 0;
       }
     }

@@ -6,6 +6,7 @@
 #include "fem/constraints.h"
 #include "fem/critical_step.h"
 #include "fem/element_group.h"
+#include "fem/erosion.h"
 #include "fem/loads.h"
 #include "fem/nodes.h"
 #include "fem/solver.h"
@@ -33,6 +34,7 @@ struct Solver<dim>::Implementation
   Loads<dim>                                      loads;
   AbsorbingFaces<dim>                             absorbing;
   RigidWalls<dim>                                 walls;
+  Erosion<dim>                                    erosion;
   BoundaryWork                                    work;
   std::array<AlignedVector<double>, dim>          v_old, load; ///< m/s; N, pressures and body forces at t_n
   Surface<dim>                                    face;        ///< lists only; spans are set on demand
@@ -44,7 +46,17 @@ struct Solver<dim>::Implementation
   std::vector<AlignedVector<double>>              mark;        ///< the snapshot
 
   void       build(std::vector<BodyMesh<dim>>);
-  void       build_surface(const std::vector<BodyMesh<dim>> &);
+  std::vector<std::uint32_t> wall_nodes(const std::vector<BodyMesh<dim>> &) const;
+  void       review_erosion();
+  /// After state was taken back or read.
+  void state_was_changed()
+  {
+    if (!erosion.any())
+      return;
+    for (auto &group : groups)
+      group->rebury();
+    review_erosion();
+  }
   void       kick(const TimeStep &);
   void       fold_forces();
   void       book_loads(double kick);
@@ -76,6 +88,7 @@ struct Solver<dim>::Implementation
                                  work.impulse[0], work.impulse[1], work.impulse[2]};
     f("work", booked);
     work = {booked.at(0), booked.at(1), booked.at(2), booked.at(3), {booked.at(4), booked.at(5), booked.at(6)}};
+    f("eroded", erosion.state());
     for (std::size_t g = 0; g < groups.size(); ++g)
       groups[g]->for_each_state([&](const std::string &name, AlignedVector<double> &a) {
         f("group" + std::to_string(g) + "/" + name, a);

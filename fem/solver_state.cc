@@ -25,7 +25,6 @@ Surface<dim> Solver<dim>::surface()
   out.mass     = s.nodes.mass;
   out.body     = s.nodes.body;
   out.id       = s.nodes.id;
-  out.topology = 1;
   return out;
 }
 
@@ -57,6 +56,7 @@ Balance Solver<dim>::balance() const
       b.angular_momentum += m * x.cross(v);
     }
   }
+  s.erosion.add(b);
   b.external_work = s.work.external;
   b.wall_loss     = s.work.wall_loss;
   b.friction_heat = s.work.friction;
@@ -90,6 +90,7 @@ void Solver<dim>::restore()
     std::copy(s.mark[k].begin(), s.mark[k].end(), a.begin());
     ++k;
   });
+  s.state_was_changed();
 }
 
 template <int dim>
@@ -114,7 +115,56 @@ void Solver<dim>::load(const ArchiveReader &archive, const std::string &prefix)
     std::copy(values.begin(), values.end(), a.begin());
   });
   s.updates = static_cast<std::uint64_t>(archive.integer(prefix + "/updates"));
+  s.state_was_changed();
 }
+
+namespace
+{
+template <class T>
+void keep(std::vector<T> &values, const std::vector<bool> &wanted)
+{
+  if (values.empty())
+    return;
+  const std::size_t each = values.size() / wanted.size();
+  std::size_t       kept = 0;
+  for (std::size_t k = 0; k < values.size(); ++k)
+    if (wanted[k / each])
+      values[kept++] = values[k];
+  values.resize(kept);
+}
+
+/// Takes dead elements out of a sample, and the nodes that have no others.
+template <int dim>
+void keep_the_living(const ElementGroup<dim> &group, Sample &sample)
+{
+  std::vector<bool> alive(group.size()), used(sample.mass.size(), false);
+  for (std::size_t e = 0; e < alive.size(); ++e)
+    alive[e] = group.alive(e);
+  keep(sample.cells, alive);
+  for (const std::uint32_t node : sample.cells)
+    used[node] = true;
+  std::vector<std::uint32_t> now(used.size());
+  for (std::size_t a = 0, n = 0; a < used.size(); ++a)
+    now[a] = used[a] ? static_cast<std::uint32_t>(n++) : 0;
+  for (std::uint32_t &node : sample.cells)
+    node = now[node];
+  for (int i = 0; i < 3; ++i)
+  {
+    for (auto *field : {&sample.x[i], &sample.x0[i], &sample.v[i]})
+      keep(*field, used);
+    keep(sample.centre[i], alive);
+    keep(sample.centre0[i], alive);
+  }
+  keep(sample.mass, used);
+  keep(sample.radius, used);
+  keep(sample.id, used);
+  for (auto &component : sample.sigma)
+    keep(component, alive);
+  for (auto *field : {&sample.density, &sample.energy, &sample.plastic_strain, &sample.damage, &sample.temperature,
+                      &sample.volume})
+    keep(*field, alive);
+}
+} // namespace
 
 template <int dim>
 Sample Solver<dim>::sample(int body) const
@@ -142,6 +192,8 @@ Sample Solver<dim>::sample(int body) const
     out.radius.assign(last - first, 0.);
     out.id.assign(s.nodes.id.begin() + first, s.nodes.id.begin() + last);
     s.groups[g]->sample(s.nodes, out);
+    if (s.erosion.any())
+      keep_the_living(*s.groups[g], out);
   }
   return out;
 }

@@ -33,6 +33,13 @@ struct Balance
   double friction_heat       = 0; ///< slip on rigid walls
   double absorbed            = 0; ///< left through absorbing boundaries
   double thermal             = 0; ///< memo: share of plastic_work that became heat (Taylor-Quinney)
+  /// Left with dead elements: kg, N s, N m s; energies in J, kinetic and internal.
+  /// Not part of the amounts above.
+  double eroded_mass             = 0;
+  Vec3   eroded_momentum         = Vec3::Zero();
+  Vec3   eroded_angular_momentum = Vec3::Zero();
+  double eroded_energy           = 0;
+  double eroded_elements         = 0; ///< memo: how many
   double gradient_fallbacks  = 0; ///< memo: particles whose gradient was not corrected in the last step
 
   double internal() const
@@ -59,6 +66,11 @@ struct Balance
     friction_heat += b.friction_heat;
     absorbed += b.absorbed;
     thermal += b.thermal;
+    eroded_mass += b.eroded_mass;
+    eroded_momentum += b.eroded_momentum;
+    eroded_angular_momentum += b.eroded_angular_momentum;
+    eroded_energy += b.eroded_energy;
+    eroded_elements += b.eroded_elements;
     gradient_fallbacks += b.gradient_fallbacks;
     return *this;
   }

@@ -90,6 +90,30 @@ void check_state(const Scene &s, const Body &b, const Listing &listing)
                      "more than " + units::format_number(box.lower[0]) + " m and less than " +
                          units::format_number(box.upper[0]) + " m");
 }
+/// What may die must be able to, and nothing else may hold on to it.
+void check_erosion(const Scene &s, const Body &b, const Listing &listing)
+{
+  if (!b.erosion.on)
+    return;
+  const auto refuse = [&](const std::string &wrong, const std::string &expected)
+  { throw InputError(listing.where("Bodies/" + b.name, "erosion"), wrong, expected); };
+  for (const materials::Parameters &m : s.materials)
+    if (m.name == b.material && m.damage.law == "none" && b.erosion.strain == 0 && b.erosion.step == 0)
+      refuse("the material \"" + b.material + "\" never fails", "a material with damage, or an erosion strain or step");
+  const std::string &element = b.element.empty() ? s.fem.element : b.element;
+  if (element != "one-point" && s.dimension != Dimension::uniaxial)
+    refuse("only one-point elements die, and those of the body are \"" + element + "\"", "element = one-point");
+  if (b.coarsen > 0)
+    refuse("elements around hanging nodes do not die", "erosion none, or a mesh without coarsening");
+  for (const Interface &i : s.interfaces)
+    if (i.mesh == b.name)
+      refuse("the interface \"" + i.name + "\" ties particles to the body, and they do not let go of dead elements",
+             "erosion none, or no such interface");
+  for (const Boundary &boundary : s.boundaries)
+    if (boundary.body == b.name && boundary.kind == BoundaryKind::pressure)
+      refuse("the pressure \"" + boundary.name + "\" does not let go of the faces of dead elements",
+             "erosion none, or no pressure");
+}
 } // namespace
 
 void check_start(const Scene &s, const Listing &listing)
@@ -98,6 +122,7 @@ void check_start(const Scene &s, const Listing &listing)
   {
     check_field(s, b, listing);
     check_state(s, b, listing);
+    check_erosion(s, b, listing);
   }
 }
 } // namespace ogive::input

@@ -58,6 +58,21 @@ void shape_fields(Fields &f, Shape &s, Dimension dimension)
          s.mesh_file, "a file name");
 }
 
+void erosion_fields(Fields &f, Erosion &e)
+{
+  std::string when = e.on ? "failure" : "none";
+  f.choice({"erosion", "elements that die: with \"failure\" those whose damage has reached 1", Need::optional,
+            {"method", {"fem"}}},
+           when, {"none", "failure"});
+  e.on = when == "failure";
+  f.number({"erosion strain", "plastic strain at which an element dies as well; 0: not by it", Need::optional,
+            {"erosion", {"failure"}}},
+           e.strain, bounds::not_negative);
+  f.quantity({"erosion step", "bound of the step below which an element dies as well; 0: not by it", Need::optional,
+              {"erosion", {"failure"}}},
+             e.step, units::time, bounds::not_negative);
+}
+
 void state_fields(Fields &f, Body &b)
 {
   f.quantity({"start density", "density at the start, by default the material's: less is a body stretched alike along "
@@ -111,6 +126,7 @@ void body_fields(Fields &f, Body &b, Dimension dimension)
             Need::optional,
             {"method", {"sph"}}},
            b.jitter, Bound{0, .4});
+  erosion_fields(f, b.erosion);
   f.vector({"velocity", "initial velocity"}, b.velocity, units::velocity);
   if (dimension == Dimension::plane_strain)
     f.quantity({"spin", "initial spin about the centre of mass, about z"}, b.spin.z(), units::rate);

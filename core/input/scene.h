@@ -59,6 +59,14 @@ struct Shape
   std::string mesh_file;
 };
 
+/// When an element dies. Off: never.
+struct Erosion
+{
+  bool   on     = false; ///< dies when its points have failed (damage 1), or
+  double strain = 0;     ///< at this plastic strain (0: not by it), or
+  double step   = 0;     ///< once its bound of the step is less than this, s (0: not by it)
+};
+
 struct Body
 {
   std::string name;
@@ -80,6 +88,7 @@ struct Body
   /// sph: particles stand off their lattice by up to this share of the spacing
   /// along each axis, the same ones in every run.
   double jitter      = 0;
+  Erosion erosion; ///< fem
   Vec3   velocity    = Vec3::Zero(); ///< m/s
   Vec3   spin        = Vec3::Zero(); ///< rad/s about the centre of mass
   /// Initial velocity field beyond translation and spin; empty for none:

@@ -43,6 +43,8 @@ Json to_json(const Summary::Checks &c)
           {"angular_momentum_drift", number(c.angular_momentum_drift)},
           {"energy_drift", number(c.energy_drift)},
           {"hourglass_fraction", number(c.hourglass_fraction)},
+          {"eroded_elements", number(c.eroded_elements)},
+          {"eroded_mass_share", number(c.eroded_mass_share)},
           {"gradient_fallbacks", number(c.gradient_fallbacks)}};
 }
 

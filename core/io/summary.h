@@ -32,6 +32,7 @@ struct Summary
   {
     double mass_drift = 0, momentum_drift = 0, angular_momentum_drift = 0, energy_drift = 0;
     double hourglass_fraction = 0; ///< of the internal energy
+    double eroded_elements = 0, eroded_mass_share = 0;
     double gradient_fallbacks = 0; ///< most particles at once whose gradient was not corrected
   };
 

@@ -8,38 +8,8 @@ namespace ogive::coupling
 namespace
 {
 using input::Method;
-
-struct Slide
-{
-  double ratio = 0; ///< tangential over normal impulse on the slab
-  double drift = 0, momentum = 0;
-};
-
-/// Worst drift of the books, and change of momentum over what there was.
-template <int dim>
-Slide run(const input::Scene &scene, double time)
-{
-  scenes::Driver<dim> run(scene);
-  Ledger              ledger;
-  auto                row = run.model.ledger();
-  ledger.enter(row);
-  const Vec3 before = row.momentum;
-  double     touch  = 0;
-  while (run.time < time)
-  {
-    run.step();
-    touch = std::max(touch, run.model.contact_force());
-    row   = run.model.ledger();
-    ledger.enter(row);
-  }
-  EXPECT_GT(touch, 0);
-  const auto sample  = run.model.sample(0);
-  Vec3       impulse = Vec3::Zero();
-  for (std::size_t i = 0; i < sample.mass.size(); ++i)
-    for (int a = 0; a < dim; ++a)
-      impulse[a] += sample.mass[i] * sample.v[a][i];
-  return {-impulse[0] / impulse[dim - 1], ledger.worst_drift(), (row.momentum - before).norm() / before.norm()};
-}
+using scenes::run;
+using scenes::Slide;
 
 /// A block falls on a free slab and slides along it; steel that stays elastic,
 /// so nothing ploughs and the impulses are those of Coulomb's law.

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 /// Scenes of steel boxes and a driver that steps them.
@@ -58,4 +59,39 @@ struct Driver
   }
 };
 
+struct Slide
+{
+  double ratio = 0; ///< tangential over normal impulse on the first body
+  double drift = 0, momentum = 0;
+};
+
+/// Worst drift of the books, and change of momentum over the momenta there were
+/// (of body by body, in magnitude).
+template <int dim>
+Slide run(const input::Scene &scene, double time)
+{
+  Driver<dim> run(scene);
+  Ledger      ledger;
+  auto        row = run.model.ledger();
+  ledger.enter(row);
+  const Vec3 before = row.momentum;
+  double     touch = 0, scale = 0;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+    for (const double m : run.model.sample(static_cast<int>(b)).mass)
+      scale += m * scene.bodies[b].velocity.norm();
+  while (run.time < time)
+  {
+    run.step();
+    touch = std::max(touch, run.model.contact_force());
+    row   = run.model.ledger();
+    ledger.enter(row);
+  }
+  EXPECT_GT(touch, 0);
+  const auto sample  = run.model.sample(0);
+  Vec3       impulse = Vec3::Zero();
+  for (std::size_t i = 0; i < sample.mass.size(); ++i)
+    for (int a = 0; a < dim; ++a)
+      impulse[a] += sample.mass[i] * sample.v[a][i];
+  return {-impulse[0] / impulse[dim - 1], ledger.worst_drift(), (row.momentum - before).norm() / scale};
+}
 } // namespace ogive::coupling::scenes

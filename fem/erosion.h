@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "core/base/surface.h"
+#include "fem/constraints.h"
+#include "fem/element_group.h"
+#include "fem/mesh.h"
+#include "fem/nodes.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace ogive::fem
+{
+/// Elements that die: what leaves with them, and the surface that is left. A
+/// node keeps the mass of its living elements; without any it has none and
+/// takes no part. What has left flies on freely, so its momentum and angular
+/// momentum about the origin stay as they were.
+template <int dim>
+class Erosion
+{
+public:
+  using Groups = std::vector<std::unique_ptr<ElementGroup<dim>>>;
+
+  Erosion() = default;
+  /// `place`: of each mesh, with the first of 2^dim nodes where dead elements rest.
+  Erosion(const std::vector<BodyMesh<dim>> &, const std::vector<GroupPlace> &place, const Constraints<dim> &,
+          bool axisymmetric);
+
+  bool any() const { return any_; }
+  /// Kills what has failed. True if anything died.
+  bool kill_failed(const Groups &, Nodes<dim> &);
+  /// After the state has changed: who lives, and the facets of the living.
+  void review(const Groups &, Surface<dim> &face);
+
+  void add(Balance &) const;
+  /// Mass, energy, number, momentum and angular momentum of the dead.
+  AlignedVector<double> &state() { return gone_; }
+
+private:
+  enum Entry : std::size_t
+  {
+    mass,
+    energy,
+    number,
+    momentum,
+    angular = momentum + 3,
+    entries = angular + 3
+  };
+  /// A side of an element, the element at its other side (-1: none).
+  struct Side
+  {
+    typename Surface<dim>::Facet facet;
+    std::int64_t                 other;
+  };
+
+  void list_sides(const BodyMesh<dim> &, const GroupPlace &, const std::function<bool(std::size_t facet)> &covered);
+  void take(Nodes<dim> &, std::uint32_t node, double mass);
+
+  std::vector<input::Erosion> when_;          ///< one a group
+  std::vector<std::size_t>    first_element_; ///< one a group
+  std::vector<Side>           sides_;
+  std::vector<std::uint32_t>  living_;        ///< elements at each node
+  std::vector<std::size_t>    failed_;
+  AlignedVector<double>       gone_ = AlignedVector<double>(entries, 0.);
+  bool                        any_ = false, axisymmetric_ = false;
+};
+} // namespace ogive::fem

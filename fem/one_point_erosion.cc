@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "fem/elements/hex8.h"
+#include "fem/elements/line2.h"
+#include "fem/elements/quad4.h"
+#include "fem/elements/quad4_area_weighted.h"
+#include "fem/one_point_group.h"
+
+#include <algorithm>
+
+/// Death of one-point elements.
+namespace ogive::fem
+{
+template <class Element>
+void OnePointGroup<Element>::prepare_erosion(Nodes<dim> &nodes)
+{
+  own_ = node_;
+  alive_.assign(padded_n_, 1.);
+  // The grave has the shape of the heaviest element: it never sets the step.
+  model_ = std::max_element(mass_.begin(), mass_.begin() + n_) - mass_.begin();
+  for (int a = 0; a < corners; ++a)
+    for (int i = 0; i < dim; ++i)
+      nodes.x[i][grave_ + a] = nodes.x0[i][grave_ + a] = nodes.x0[i][node_[slot(model_, a, corners)]];
+}
+
+template <class Element>
+void OnePointGroup<Element>::find_failed(const input::Erosion &when, std::vector<std::size_t> &failed) const
+{
+  for (std::size_t e = 0; e < n_; ++e)
+    if (alive(e) && (points_.damage[e] >= 1 || (when.strain > 0 && points_.plastic_strain[e] >= when.strain) ||
+                     (by_step_ && bound_[e] * when.step > 2)))
+      failed.push_back(e);
+}
+
+template <class Element>
+auto OnePointGroup<Element>::kill(std::size_t e) -> Remains
+{
+  Remains gone;
+  for (int a = 0; a < corners; ++a)
+    gone.mass[a] = Element::hoop ? corner_mass_[slot(e, a, corners)] : mass_[e] / corners;
+  gone.internal_energy = mass_[e] * points_.energy[e] + hourglass_energy_[e];
+
+  // The last pack is filled up with copies of the last element.
+  for (std::size_t k = e; k < (e + 1 == n_ ? padded_n_ : e + 1); ++k)
+  {
+    alive_[k] = 0;
+    material_->initialise(points_, k, k + 1);
+    for (AlignedVector<double> *field :
+         {&viscous_pressure_, &half_power_, &half_hourglass_, &half_viscous_, &hourglass_energy_, &viscous_heat_})
+      (*field)[k] = 0;
+    for (int c = 0; c < corners * dim; ++c)
+      corner_force_[slot(k, c, corners * dim)] = 0;
+    for (int c = 0; c < modes * dim; ++c)
+      Q_[slot(k, c, modes * dim)] = 0;
+    mass_[k] = mass_[model_];
+    for (int a = 0; Element::hoop && a < corners; ++a)
+      corner_mass_[slot(k, a, corners)] = corner_mass_[slot(model_, a, corners)];
+    bury(k);
+  }
+  return gone;
+}
+
+template <class Element>
+void OnePointGroup<Element>::sum_forces()
+{
+  find_rows();
+  for (auto &component : nodal_force_)
+    std::fill(component.begin(), component.end(), 0.);
+  scatter(0, padded_n_ / width);
+}
+
+template <class Element>
+void OnePointGroup<Element>::rebury()
+{
+  for (std::size_t e = 0; e < alive_.size(); ++e)
+    bury(e);
+  find_rows();
+}
+
+template <class Element>
+void OnePointGroup<Element>::bury(std::size_t e)
+{
+  for (int a = 0; a < corners; ++a)
+  {
+    const std::size_t k = slot(e, a, corners);
+    node_[k]            = alive_[e] > 0 ? own_[k] : static_cast<std::uint32_t>(grave_ + a);
+  }
+}
+
+template class OnePointGroup<Line2>;
+template class OnePointGroup<Quad4>;
+template class OnePointGroup<Quad4Axisymmetric>;
+template class OnePointGroup<Quad4AreaWeighted>;
+template class OnePointGroup<Hex8>;
+} // namespace ogive::fem
