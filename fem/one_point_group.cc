@@ -246,7 +246,7 @@ StepStatus OnePointGroup<Element>::advance(const Nodes<dim> &nodes, const TimeSt
       if (!strain(nodes, step, begin + k, block, k))
         return first_bad(nodes, begin + k);
 
-    if (false && begin + block_packs < packs)
+    if (begin + block_packs < packs)
       fetch(begin + block_packs, std::min(block_packs, packs - begin - block_packs));
     materials::Increments increments;
     for (int c = 0; c < 6; ++c)

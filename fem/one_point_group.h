@@ -39,7 +39,7 @@ public:
 
 private:
   static constexpr std::size_t width       = simd_width;
-  static constexpr std::size_t block_packs = 8; ///< packs between two calls of the material
+  static constexpr std::size_t block_packs = 16; ///< packs between two calls of the material
 
   static constexpr std::uint32_t no_row = 0xffffffff;
 
