@@ -21,19 +21,14 @@ public:
     : first_node_(first_node)
   {
     first_.assign(last_node - first_node + 1, 0);
-    for (std::size_t e = 0; e < group.size(); ++e)
-      for (const std::uint32_t node : group.nodes(e))
-        ++first_[node - first_node + 1];
+    group.for_each_node([&](std::uint32_t node, std::size_t) { ++first_[node - first_node + 1]; });
     for (std::size_t a = 0; a + 1 < first_.size(); ++a)
       first_[a + 1] += first_[a];
     corner_.resize(first_.back());
     std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-    for (std::size_t e = 0; e < group.size(); ++e)
-    {
-      const auto nodes = group.nodes(e);
-      for (int a = 0; a < ElementGroup<dim>::corners; ++a)
-        corner_[next[nodes[a] - first_node]++] = static_cast<std::uint32_t>(group.force_index(e, a));
-    }
+    group.for_each_node([&](std::uint32_t node, std::size_t force_index) {
+      corner_[next[node - first_node]++] = static_cast<std::uint32_t>(force_index);
+    });
   }
 
   /// Force on node `a` of the solver from the group's corner forces, N.

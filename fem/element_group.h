@@ -31,19 +31,23 @@ class ElementGroup
 public:
   static constexpr int corners = 1 << dim;
   using Visitor                = std::function<void(const std::string &, AlignedVector<double> &)>;
+  using NodeVisitor            = std::function<void(std::uint32_t node, std::size_t force_index)>;
 
   virtual ~ElementGroup() = default;
 
   virtual int         body() const = 0;
   virtual std::size_t size() const = 0; ///< elements
-  /// Solver nodes of element e, VTK order.
-  virtual std::array<std::uint32_t, corners> nodes(std::size_t e) const = 0;
-  /// Index into corner_forces() of component 0 at a corner of element e;
-  /// component d follows d * simd_width entries later.
-  virtual std::size_t force_index(std::size_t e, int corner) const = 0;
-  virtual std::span<const double> corner_forces() const            = 0;
+  /// Cells with a node at each corner and none else: the elements, or what the
+  /// nodes of a spectral element part it into. Facets and samples name cells.
+  virtual std::size_t cells() const { return size(); }
+  /// Solver nodes of a cell, VTK order.
+  virtual std::array<std::uint32_t, corners> nodes(std::size_t cell) const = 0;
+  /// Visits each node of each element with the index into corner_forces() of its
+  /// component 0; component d follows d * simd_width entries later.
+  virtual void                    for_each_node(const NodeVisitor &) const = 0;
+  virtual std::span<const double> corner_forces() const                   = 0;
   /// Component i of the sums of the corner forces at the nodes of the body, N,
-  /// if the group takes them itself; the two above are not asked then.
+  /// if the group takes them itself.
   virtual std::span<const double> nodal_forces(int) const { return {}; }
 
   /// Adds the lumped mass of the elements to the nodes, kg.
@@ -56,13 +60,19 @@ public:
   /// Bound of the step at the present state, without a safety factor.
   virtual StepLimit stable_dt() const = 0;
 
+  /// What small displacements u (m) at the nodes make of elastic forces, and
+  /// velocities u (m/s) of viscous ones, both in the order of corner_forces(),
+  /// as forces against the motion, at the present shape and sound speeds.
+  virtual void tangent(const Nodes<dim> &, const std::array<AlignedVector<double>, dim> &u,
+                       AlignedVector<double> &stiff, AlignedVector<double> &damp) const = 0;
+
   virtual void add_energies(Balance &) const                   = 0;
   virtual void sample(const Nodes<dim> &, Sample &) const      = 0;
   virtual void for_each_state(const Visitor &)                 = 0;
 };
 
-/// One-point elements of the mesh's kind.
+/// Elements of the formulation that the mesh names (input::Body::element).
 template <int dim>
-std::unique_ptr<ElementGroup<dim>> make_one_point_group(const BodyMesh<dim> &, const GroupPlace &,
-                                                        const input::FemOptions &);
+std::unique_ptr<ElementGroup<dim>> make_element_group(const BodyMesh<dim> &, const GroupPlace &,
+                                                      const input::FemOptions &);
 } // namespace ogive::fem

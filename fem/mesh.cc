@@ -9,6 +9,7 @@
 #include "fem/embedding.h"
 #include "fem/initial_velocity.h"
 #include "fem/mesh_shapes.h"
+#include "fem/raise_degree.h"
 
 #include <deal.II/grid/grid_in.h>
 #include <deal.II/grid/grid_tools.h>
@@ -259,6 +260,9 @@ BodyMesh<dim> make_mesh(const input::Body &body, const input::Scene &scene, int 
     name = shape.face_name;
   }
   reduce<dim>(triangulation, scene, tolerance, name, mesh);
+  mesh.element = body.element.empty() ? scene.fem.element : body.element;
+  if (mesh.element == "spectral")
+    raise_degree(mesh, scene.fem.degree);
   check_symmetry(mesh, scene, body.name);
   check_quality(mesh, body.name);
   set_initial_velocity(body, scene, mesh);

@@ -34,11 +34,21 @@ struct BodyMesh
   std::array<std::vector<double>, dim>       x;  ///< m
   std::array<std::vector<double>, dim>       v;  ///< initial velocity, m/s
   std::vector<std::uint32_t>                 cells;  ///< corners per cell, VTK order
+  std::string                                element = "one-point"; ///< formulation, as in a scene
+  int                                        degree  = 1; ///< > 1: spectral, its cells lie between its nodes
+  std::vector<std::uint32_t>                 elements; ///< degree > 1: nodes of each, x fastest
   std::vector<Facet>                         facets; ///< all of the boundary
   std::vector<std::string>                   boundary_names; ///< "x-" .. "z+"; "bottom", "top", "side", "inner", "outer"; ids of a mesh file
 
   std::size_t n_nodes() const { return x[0].size(); }
   std::size_t n_cells() const { return cells.size() / corners; }
+  std::size_t n_elements() const
+  {
+    std::size_t cells_of = 1;
+    for (int i = 0; i < dim; ++i)
+      cells_of *= degree;
+    return n_cells() / cells_of;
+  }
   /// Of the mesh, which is inscribed in a round body: m^3, m^2 (per metre), m,
   /// or the m^3 of the whole ring.
   double volume() const;

@@ -380,24 +380,4 @@ template class OnePointGroup<Quad4>;
 template class OnePointGroup<Quad4Axisymmetric>;
 template class OnePointGroup<Hex8>;
 
-template <>
-std::unique_ptr<ElementGroup<1>> make_one_point_group(const BodyMesh<1> &mesh, const GroupPlace &place,
-                                                      const input::FemOptions &options)
-{
-  return std::make_unique<OnePointGroup<Line2>>(mesh, place, options);
-}
-template <>
-std::unique_ptr<ElementGroup<2>> make_one_point_group(const BodyMesh<2> &mesh, const GroupPlace &place,
-                                                      const input::FemOptions &options)
-{
-  if (mesh.axisymmetric)
-    return std::make_unique<OnePointGroup<Quad4Axisymmetric>>(mesh, place, options);
-  return std::make_unique<OnePointGroup<Quad4>>(mesh, place, options);
-}
-template <>
-std::unique_ptr<ElementGroup<3>> make_one_point_group(const BodyMesh<3> &mesh, const GroupPlace &place,
-                                                      const input::FemOptions &options)
-{
-  return std::make_unique<OnePointGroup<Hex8>>(mesh, place, options);
-}
 } // namespace ogive::fem

@@ -22,10 +22,7 @@ public:
   int                                body() const override { return body_; }
   std::size_t                        size() const override { return n_; }
   std::array<std::uint32_t, corners> nodes(std::size_t e) const override;
-  std::size_t                        force_index(std::size_t e, int corner) const override
-  {
-    return slot(e, corner * dim, corners * dim);
-  }
+  void for_each_node(const typename ElementGroup<dim>::NodeVisitor &) const override;
   std::span<const double> corner_forces() const override { return corner_force_; }
   std::span<const double> nodal_forces(int i) const override { return nodal_force_[i]; }
 
@@ -33,6 +30,8 @@ public:
   void       initialise(const Nodes<dim> &) override;
   StepStatus advance(const Nodes<dim> &, const TimeStep &) override;
   StepLimit  stable_dt() const override;
+  void       tangent(const Nodes<dim> &, const std::array<AlignedVector<double>, dim> &u, AlignedVector<double> &stiff,
+                     AlignedVector<double> &damp) const override;
   void       add_energies(Balance &) const override;
   void       sample(const Nodes<dim> &, Sample &) const override;
   void       for_each_state(const Visitor &) override;

@@ -20,6 +20,14 @@ auto OnePointGroup<Element>::nodes(std::size_t e) const -> std::array<std::uint3
 }
 
 template <class Element>
+void OnePointGroup<Element>::for_each_node(const typename ElementGroup<dim>::NodeVisitor &visit) const
+{
+  for (std::size_t e = 0; e < n_; ++e)
+    for (int a = 0; a < corners; ++a)
+      visit(node_[slot(e, a, corners)], slot(e, a * dim, corners * dim));
+}
+
+template <class Element>
 void OnePointGroup<Element>::lump_mass(Nodes<dim> &nodes) const
 {
   for (std::size_t e = 0; e < n_; ++e)

@@ -52,11 +52,10 @@ void Solver<dim>::Implementation::build(std::vector<BodyMesh<dim>> meshes)
         nodes.v[i][node]                     = mesh.v[i].at(a);
       }
     }
-    groups.push_back(make_one_point_group(mesh, {first_node[b], parts[b].first_element}, parameters.options));
+    groups.push_back(make_element_group<dim>(mesh, {first_node[b], parts[b].first_element}, parameters.options));
     groups.back()->lump_mass(nodes);
     groups.back()->initialise(nodes);
-    if (groups.back()->nodal_forces(0).empty())
-      parts[b].sum = CornerSum<dim>(parts[b].first_node, parts[b].last_node, *groups.back());
+    parts[b].sum = CornerSum<dim>(parts[b].first_node, parts[b].last_node, *groups.back());
   }
   for (std::size_t a = 0; a < n_nodes; ++a)
     if (!(nodes.mass[a] > 0))
@@ -66,6 +65,9 @@ void Solver<dim>::Implementation::build(std::vector<BodyMesh<dim>> meshes)
   pressures = Pressures<dim>(parameters, meshes, first_node);
   build_surface(meshes);
   walls = RigidWalls<dim>(parameters, face.contact_points);
+  critical = CriticalStep<dim>(n_nodes);
+  if (parameters.options.step_bound == "power-iteration")
+    sharpening[0] = std::max(1., find_critical(1e-6, 5000).dt / element_limit().dt);
 }
 
 template <int dim>
@@ -94,20 +96,63 @@ void Solver<dim>::Implementation::build_surface(const std::vector<BodyMesh<dim>>
 }
 
 template <int dim>
-StepLimit Solver<dim>::stable_dt() const
+StepLimit Solver<dim>::Implementation::element_limit() const
 {
-  const auto &s = *self_;
-  StepLimit   limit;
-  for (const auto &group : s.groups)
+  StepLimit limit;
+  for (const auto &group : groups)
     limit.tighten(group->stable_dt());
   if (limit.culprit.id >= 0)
-    for (std::size_t g = 0; g < s.groups.size(); ++g)
-      if (s.groups[g]->body() == limit.culprit.body)
-        for (const std::uint32_t node : s.groups[g]->nodes(limit.culprit.id - s.parts[g].first_element))
+    for (std::size_t g = 0; g < groups.size(); ++g)
+      if (groups[g]->body() == limit.culprit.body)
+        for (const std::uint32_t node : groups[g]->nodes(limit.culprit.id - parts[g].first_element))
           for (int i = 0; i < dim; ++i)
-            limit.culprit.where[i] += s.nodes.x[i][node] / ElementGroup<dim>::corners;
-  limit.dt *= s.parameters.options.step_factor;
+            limit.culprit.where[i] += nodes.x[i][node] / ElementGroup<dim>::corners;
   return limit;
+}
+
+template <int dim>
+StepLimit Solver<dim>::stable_dt() const
+{
+  StepLimit limit = self_->element_limit();
+  limit.dt *= self_->sharpening[0] * self_->parameters.options.step_factor;
+  return limit;
+}
+
+template <int dim>
+typename CriticalStep<dim>::Answer Solver<dim>::Implementation::find_critical(double tolerance, int most)
+{
+  std::vector<AssembledGroup<dim>> assembled;
+  for (std::size_t g = 0; g < groups.size(); ++g)
+    assembled.push_back({groups[g].get(), &parts[g].sum, parts[g].first_node, parts[g].last_node});
+  return critical.estimate(assembled, nodes, prescribed, tolerance, most);
+}
+
+template <int dim>
+StepLimit Solver<dim>::critical_dt()
+{
+  const auto found = self_->find_critical(1e-6, 5000);
+  StepLimit  limit;
+  limit.dt             = found.dt;
+  limit.culprit.entity = "node";
+  limit.culprit.body   = self_->nodes.body[found.node];
+  limit.culprit.id     = self_->nodes.id[found.node];
+  limit.culprit.why    = "the fastest motion of the mesh, by power iteration";
+  for (int i = 0; i < dim; ++i)
+    limit.culprit.where[i] = self_->nodes.x[i][found.node];
+  return limit;
+}
+
+/// A look at the assembled mesh now and then: its critical step lies above the
+/// bound of its worst element by a factor that changes slowly.
+template <int dim>
+void Solver<dim>::Implementation::sharpen()
+{
+  constexpr double every = 20; // steps
+  sharpening[1] += 1;
+  if (sharpening[1] < every)
+    return;
+  sharpening[1] = 0;
+  sharpening[0] = std::max(1., find_critical(1e-4, 200).dt / element_limit().dt);
 }
 
 template <int dim>
@@ -126,6 +171,8 @@ StepStatus Solver<dim>::step(const TimeStep &step)
       return status;
     s.updates += s.groups[g]->size();
   }
+  if (s.parameters.options.step_bound == "power-iteration")
+    s.sharpen();
   return s.check_nodes();
 }
 

@@ -42,6 +42,9 @@ public:
   ~Solver();
 
   StepLimit     stable_dt() const;
+  /// The critical step of the mesh as it stands, by power iteration, without the
+  /// step factor; `entity` is the node that moves most (fem/critical_step.h).
+  StepLimit     critical_dt();
   Surface<dim>  surface();
   StepStatus    step(const TimeStep &);
   Balance       balance() const;

@@ -3,6 +3,7 @@
 
 #include "fem/boundary.h"
 #include "fem/corner_sum.h"
+#include "fem/critical_step.h"
 #include "fem/element_group.h"
 #include "fem/nodes.h"
 #include "fem/solver.h"
@@ -33,6 +34,10 @@ struct Solver<dim>::Implementation
   std::array<AlignedVector<double>, dim>          v_old, load; ///< m/s; N, pressures at t_n
   Surface<dim>                                    face;        ///< lists only; spans are set on demand
   std::uint64_t                                   updates = 0;
+  CriticalStep<dim>                               critical;
+  /// Critical step over the elements' bound when last looked at, and the steps
+  /// since then.
+  AlignedVector<double>                           sharpening{1., 0.};
   std::vector<AlignedVector<double>>              mark;        ///< the snapshot
 
   void       build(std::vector<BodyMesh<dim>>);
@@ -43,6 +48,9 @@ struct Solver<dim>::Implementation
   void       book_pressure(double kick);
   void       drift(double dt);
   StepStatus check_nodes() const;
+  StepLimit  element_limit() const;
+  void       sharpen();
+  typename CriticalStep<dim>::Answer find_critical(double tolerance, int most);
 
   template <class F>
   void for_each_state(F &&f)
@@ -56,6 +64,12 @@ struct Solver<dim>::Implementation
     }
     f("mass", nodes.mass);
     f("wall_force", walls.forces());
+    if (parameters.options.step_bound == "power-iteration")
+    {
+      f("sharpening", sharpening);
+      critical.for_each_state(
+        [&](int i, AlignedVector<double> &u) { f(std::string("critical_motion_") + axis[i], u); });
+    }
     AlignedVector<double> booked{work.external,   work.wall_loss,  work.friction,
                                  work.impulse[0], work.impulse[1], work.impulse[2]};
     f("work", booked);

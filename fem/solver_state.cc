@@ -177,7 +177,7 @@ bool Solver<dim>::embed(std::uint32_t element, const std::array<double, dim> &po
   std::size_t g = 0;
   while (g + 1 < s.parts.size() && element >= s.parts[g + 1].first_element)
     ++g;
-  require(element - s.parts[g].first_element < s.groups[g]->size(), "no such element");
+  require(element - s.parts[g].first_element < s.groups[g]->cells(), "no such element");
   out.node = s.groups[g]->nodes(element - s.parts[g].first_element);
   std::array<std::array<double, dim>, Embedding::n_nodes> x;
   for (int a = 0; a < Embedding::n_nodes; ++a)

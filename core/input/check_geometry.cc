@@ -50,6 +50,10 @@ void check_kind(const Place &p)
     p.refuse("shape", "in plane strain a ball has no meaning", "\"disc\" or \"ring\", which are circles in the plane");
   if (s.kind == ShapeKind::mesh && p.body.method == Method::sph)
     p.refuse("method", "particles are not made from a mesh file", "\"fem\"");
+  const std::string &element = p.body.element.empty() ? p.scene.fem.element : p.body.element;
+  if (d == Dimension::axisymmetric && p.body.method == Method::fem && element == "spectral")
+    p.refuse("element", "spectral elements have no rings: their nodes on the axis would have no mass",
+             "\"one-point\" or \"b-bar\"");
 }
 
 /// Checks that dimensions of a shape are such that it has a volume.

@@ -87,6 +87,11 @@ void body_fields(Fields &f, Body &b, Dimension dimension)
               Need::optional,
               {"method", {"fem"}}},
              b.spacing_far, units::length, bounds::not_negative);
+  std::string element = b.element.empty() ? "default" : b.element;
+  f.choice({"element", "formulation of its elements; default: that of the section FEM", Need::optional,
+            {"method", {"fem"}}},
+           element, {"default", "one-point", "b-bar", "full", "spectral"});
+  b.element = element == "default" ? "" : element;
   f.number({"jitter", "particles stand off their lattice by up to this share of the spacing along each axis, the same "
                       "ones in every run",
             Need::optional,

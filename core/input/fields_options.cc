@@ -53,12 +53,17 @@ void sph_fields(Fields &f, SphOptions &o)
 
 void fem_fields(Fields &f, FemOptions &o)
 {
-  f.choice({"element", "element formulation"}, o.element, {"one-point"});
+  f.choice({"element", "formulation of elements, unless their body names one"}, o.element,
+           {"one-point", "b-bar", "full", "spectral"});
+  f.choice({"degree", "polynomial degree of spectral elements"}, o.degree, {{"2", 2}, {"3", 3}, {"4", 4}});
   f.choice({"hourglass", "kind of hourglass control"}, o.hourglass, {"stiffness", "viscous"});
   f.number({"hourglass coefficient", "coefficient of the hourglass control"}, o.hourglass_coefficient,
            bounds::not_negative);
   f.number({"bulk quadratic", "quadratic coefficient of the bulk viscosity"}, o.bulk_quadratic, bounds::not_negative);
   f.number({"bulk linear", "linear coefficient of the bulk viscosity"}, o.bulk_linear, bounds::not_negative);
+  f.choice({"step bound", "whose bound: the worst element's, never unsafe, or that of the whole mesh by power "
+                          "iteration every 20 steps"},
+           o.step_bound, {"element", "power-iteration"});
   f.number({"step factor", "share of the stability bound; above 1 only to see a run blow up"}, o.step_factor,
            Bound{0, 2, true});
 }

@@ -28,6 +28,8 @@ constexpr std::array quantities{
                    "as plastic_shock_speed, with the parameter inside the precursor"},
   ObservedQuantity{"plateau_stress", units::pressure, true, true, units::pressure,
                    "median axial pressure behind the front, which lies where the pressure is the parameter"},
+  ObservedQuantity{"gauge_displacement", units::length, true, false, units::none,
+                   "displacement along the direction of what was nearest to the point"},
   ObservedQuantity{"gauge_velocity", units::velocity, true, false, units::none,
                    "velocity along the direction of what was nearest to the point"},
   ObservedQuantity{"gauge_stress", units::pressure, true, false, units::none,
@@ -51,6 +53,11 @@ constexpr std::array quantities{
   ObservedQuantity{"tip_rotation", units::none, true, true, units::length,
                    "turn in radians, about the direction or in the plane, of what began closer to the point than the "
                    "parameter; settled as tip_deflection"},
+  ObservedQuantity{"twist", units::none, true, true, units::length,
+                   "turn in radians, as tip_rotation but at the end, with its sign and over whole turns"},
+  ObservedQuantity{"cavity_error", units::none, true, true, units::length,
+                   "root mean square distance of the displacement from Blake's exact one, over it, of the nodes that began "
+                   "closer to the centre than the parameter; needs an elastic shell with a pressure inside"},
   ObservedQuantity{"stopping_radius", units::length, true, false, units::none,
                    "least mean radius of the inner wall of a shell or ring"},
   ObservedQuantity{"stopping_time", units::time, true, false, units::none,

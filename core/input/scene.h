@@ -68,6 +68,7 @@ struct Body
   /// fem: element edge at the outer radius of a disc or ring, or far end of the
   /// grading; 0: as `spacing`.
   double spacing_far = 0;
+  std::string element; ///< fem: formulation; empty: FemOptions::element
   /// sph: particles stand off their lattice by up to this share of the spacing
   /// along each axis, the same ones in every run.
   double jitter      = 0;
@@ -205,10 +206,12 @@ struct SphOptions
 
 struct FemOptions
 {
-  std::string element           = "one-point";
+  std::string element           = "one-point"; ///< "one-point", "b-bar", "full", "spectral"
+  int         degree            = 4;           ///< of spectral elements, 2 to 4
   std::string hourglass         = "stiffness"; ///< "stiffness", "viscous"
   double      hourglass_coefficient = .05;
   double      bulk_quadratic    = 1.5, bulk_linear = .06;
+  std::string step_bound        = "element"; ///< "element", "power-iteration"
   double      step_factor       = .9;
 };
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace ogive::coupling
 {
@@ -69,13 +70,16 @@ TipRotation::TipRotation(const input::Observer &o, const input::Scene &scene)
 {
 }
 
-double TipRotation::now(const Sample &s) const
+/// Turn about the axis, in (-pi, pi], of what began closer to the point than the
+/// reach; NaN for nothing.
+static double turn(const Sample &s, const Vec3 &point, double reach, const Vec3 &axis)
 {
+  const auto at = [](const auto &field, std::size_t i) { return Vec3(field[0][i], field[1][i], field[2][i]); };
   std::vector<std::size_t> near;
   double                   mass    = 0;
   Vec3                     centre0 = Vec3::Zero(), centre = Vec3::Zero();
   for (std::size_t i = 0; i < s.mass.size(); ++i)
-    if ((at(s.x0, i) - point()).norm() < parameter())
+    if ((at(s.x0, i) - point).norm() < reach)
     {
       near.push_back(i);
       mass += s.mass[i];
@@ -88,9 +92,27 @@ double TipRotation::now(const Sample &s) const
   for (const std::size_t i : near)
   {
     const Vec3 before = at(s.x0, i) - centre0, after = at(s.x, i) - centre;
-    across += s.mass[i] * axis_.dot(before.cross(after));
-    with += s.mass[i] * (before.dot(after) - before.dot(axis_) * after.dot(axis_));
+    across += s.mass[i] * axis.dot(before.cross(after));
+    with += s.mass[i] * (before.dot(after) - before.dot(axis) * after.dot(axis));
   }
-  return near.empty() ? std::numeric_limits<double>::quiet_NaN() : std::abs(std::atan2(across, with));
+  return near.empty() ? std::numeric_limits<double>::quiet_NaN() : std::atan2(across, with);
+}
+
+double TipRotation::now(const Sample &s) const
+{
+  return std::abs(turn(s, point(), parameter(), axis_));
+}
+
+Twist::Twist(const input::Observer &o, const input::Scene &scene)
+    : BodyObserver(o, scene),
+      axis_(input::space_dimension(scene.dimension) == 3 ? direction() : Vec3(Vec3::UnitZ()))
+{
+}
+
+/// Rows follow each other by less than half a turn.
+double Twist::measure(const Sample &s, double)
+{
+  const double now = turn(s, point(), parameter(), axis_), last = value();
+  return last == last ? now + 2 * std::numbers::pi * std::round((last - now) / (2 * std::numbers::pi)) : now;
 }
 } // namespace ogive::coupling

@@ -69,4 +69,17 @@ protected:
 private:
   Vec3 axis_;
 };
+
+/// As TipRotation at the present time, with its sign and over whole turns.
+class Twist : public BodyObserver
+{
+public:
+  Twist(const input::Observer &, const input::Scene &);
+
+protected:
+  double measure(const Sample &, double time) override;
+
+private:
+  Vec3 axis_;
+};
 } // namespace ogive::coupling

@@ -57,15 +57,13 @@ double Perforation::measure(const Sample &s, double)
 
 double GaugeVelocity::measure(const Sample &s, double)
 {
-  std::size_t nearest  = 0;
-  double      distance = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < s.mass.size(); ++i)
-    if (const double d = (at(s.x0, i) - point()).squaredNorm(); d < distance)
-    {
-      distance = d;
-      nearest  = i;
-    }
-  return along(s.v, nearest);
+  return along(s.v, nearest_node(s));
+}
+
+double GaugeDisplacement::measure(const Sample &s, double)
+{
+  const std::size_t i = nearest_node(s);
+  return along(s.x, i) - along(s.x0, i);
 }
 
 void ContactTime::every_step(const StepFrame &frame)

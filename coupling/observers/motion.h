@@ -53,6 +53,16 @@ protected:
   double measure(const Sample &, double time) override;
 };
 
+/// Displacement along the direction of what was nearest to the point, m.
+class GaugeDisplacement : public BodyObserver
+{
+public:
+  using BodyObserver::BodyObserver;
+
+protected:
+  double measure(const Sample &, double time) override;
+};
+
 /// From the first to the last force above a hundredth of the greatest one. The
 /// greatest is known only afterwards, so a new greatest keeps the first moment.
 class ContactTime : public Observer

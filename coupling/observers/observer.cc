@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "coupling/observers/bending.h"
+#include "coupling/observers/cavity.h"
 #include "coupling/observers/collapse.h"
 #include "coupling/observers/heat.h"
 #include "coupling/observers/modes.h"
@@ -58,6 +59,7 @@ constexpr std::array makers = {
   Maker{"plastic_shock_speed", make<FrontSpeed>},
   Maker{"precursor_speed", make<FrontSpeed>},
   Maker{"plateau_stress", make<PlateauStress>},
+  Maker{"gauge_displacement", make<GaugeDisplacement>},
   Maker{"gauge_velocity", make<GaugeVelocity>},
   Maker{"gauge_stress", make<GaugeStress>},
   Maker{"angular_momentum_drift", make<AngularMomentumDrift>},
@@ -69,6 +71,8 @@ constexpr std::array makers = {
   Maker{"mid_deflection", make<MidDeflection>},
   Maker{"greatest_deflection", make<GreatestDeflection>},
   Maker{"tip_rotation", make<TipRotation>},
+  Maker{"twist", make<Twist>},
+  Maker{"cavity_error", make<CavityError>},
   Maker{"stopping_radius", make<StoppingRadius>},
   Maker{"stopping_time", make<StoppingTime>},
   Maker{"roundness", make<Roundness>},

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <cmath>
+
 namespace ogive::fem
 {
 /// What a bulk viscosity gives an element.
@@ -25,6 +27,15 @@ struct NeumannRichtmyer
     const T mass = density * length, square = quadratic * length * compression, line = linear * sound_speed;
     // A node may be compressed next without warning: the linear part always counts.
     return {mass * compression * (square + line), mass * (2. * square + line)};
+  }
+
+  /// The damping that goes with a pressure given before, Pa s.
+  template <class T>
+  T damping(const T &density, const T &sound_speed, const T &length, const T &pressure) const
+  {
+    using std::sqrt;
+    const T line = linear * sound_speed;
+    return density * length * sqrt(line * line + 4. * quadratic * pressure / density);
   }
 };
 } // namespace ogive::fem

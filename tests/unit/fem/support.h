@@ -3,6 +3,7 @@
 
 #include "core/materials/material.h"
 #include "fem/mesh.h"
+#include "fem/raise_degree.h"
 #include "fem/solver.h"
 
 #include <Eigen/Geometry>
@@ -10,6 +11,7 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <random>
 
 /// Scenes by hand for the tests of the elements.
 namespace ogive::fem::test
@@ -93,5 +95,50 @@ struct Driver
 inline double closed(const Balance &b)
 {
   return b.kinetic + b.internal() + b.wall_loss + b.friction_heat - b.external_work;
+}
+/// Distorted block in violent elastic motion, off the axes.
+template <int dim>
+BodyMesh<dim> wild_block(std::shared_ptr<const materials::Material> material, bool axisymmetric = false,
+                         double speed = 40, double distortion = .2, const std::string &element = "one-point",
+                         int degree = 1)
+{
+  const double h = .8e-3;
+  input::Scene scene;
+  scene.dimension = axisymmetric ? input::Dimension::axisymmetric : input::Dimension::three_d;
+  const double               offset = axisymmetric ? 0 : 1e-3;
+  auto mesh = make_mesh<dim>(box({offset, 2e-3, -1e-3}, {offset + 4 * h, 2e-3 + 5 * h, -1e-3 + 3 * h}, h), scene, 0,
+                             material);
+  std::mt19937                           random(42);
+  std::uniform_real_distribution<double> u(-1, 1);
+  const auto shake = [&](bool places, bool velocities) {
+    for (std::size_t a = 0; a < mesh.n_nodes(); ++a)
+      for (int i = 0; i < dim; ++i)
+      {
+        // A ring has no rigid motion along its radius.
+        if (velocities)
+          mesh.v[i][a] = 3. * (i + !axisymmetric) + speed * u(random);
+        if (places && !(axisymmetric && mesh.x[0][a] == 0 && i == 0))
+          mesh.x[i][a] += distortion * h * u(random);
+      }
+  };
+  mesh.element = element;
+  shake(true, degree == 1);
+  if (degree > 1)
+  {
+    raise_degree(mesh, degree);
+    for (auto &v : mesh.v)
+      v.assign(mesh.n_nodes(), 0.);
+    shake(false, true);
+  }
+  return mesh;
+}
+
+template <int dim>
+std::unique_ptr<Solver<dim>> solver_of(BodyMesh<dim> mesh, Parameters p = {})
+{
+  p.axisymmetric = mesh.axisymmetric;
+  std::vector<BodyMesh<dim>> meshes;
+  meshes.push_back(std::move(mesh));
+  return std::make_unique<Solver<dim>>(p, std::move(meshes));
 }
 } // namespace ogive::fem::test

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "fem/critical_step.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ogive::fem
+{
+template <int dim>
+CriticalStep<dim>::CriticalStep(std::size_t n_nodes)
+{
+  std::uint64_t state = 42; // a linear congruential generator: the same motion on every machine
+  for (int i = 0; i < dim; ++i)
+  {
+    motion_[i].resize(n_nodes);
+    for (double &u : motion_[i])
+    {
+      state = state * 6364136223846793005ull + 1442695040888963407ull;
+      u     = static_cast<double>(state >> 11) * 0x1p-52 - 1;
+    }
+    stiff_[i].resize(n_nodes);
+    damp_[i].resize(n_nodes);
+  }
+}
+
+/// Held components rest; v.M.v becomes 1. Returns what v.M.v was.
+template <int dim>
+double CriticalStep<dim>::scale(const Nodes<dim> &nodes, const PrescribedMotion<dim> &held)
+{
+  double sum = 0;
+  for (int i = 0; i < dim; ++i)
+    for (std::size_t a = 0; a < nodes.size(); ++a)
+    {
+      if (held.prescribed(a, i))
+        motion_[i][a] = 0;
+      sum += nodes.mass[a] * motion_[i][a] * motion_[i][a];
+    }
+  const double factor = sum > 0 ? 1 / std::sqrt(sum) : 0;
+  for (auto &component : motion_)
+    for (double &u : component)
+      u *= factor;
+  return sum;
+}
+
+template <int dim>
+void CriticalStep<dim>::apply(const std::vector<AssembledGroup<dim>> &parts, const Nodes<dim> &nodes)
+{
+  for (const auto &part : parts)
+  {
+    part.group->tangent(nodes, motion_, corner_stiff_, corner_damp_);
+    for (std::size_t a = part.first_node; a < part.last_node; ++a)
+    {
+      double f[dim];
+      part.sum->at(a, corner_stiff_.data(), f);
+      for (int i = 0; i < dim; ++i)
+        stiff_[i][a] = -f[i];
+      part.sum->at(a, corner_damp_.data(), f);
+      for (int i = 0; i < dim; ++i)
+        damp_[i][a] = -f[i];
+    }
+  }
+}
+
+template <int dim>
+typename CriticalStep<dim>::Answer CriticalStep<dim>::estimate(const std::vector<AssembledGroup<dim>> &parts,
+                                                               const Nodes<dim>            &nodes,
+                                                               const PrescribedMotion<dim> &held, double tolerance,
+                                                               int most)
+{
+  constexpr int enough = 10; // quiet iterations
+  Answer        answer;
+  int           quiet = 0;
+  scale(nodes, held);
+  while (answer.iterations < most && quiet < enough)
+  {
+    apply(parts, nodes);
+    double k = 0, c = 0;
+    for (int i = 0; i < dim; ++i)
+      for (std::size_t a = 0; a < nodes.size(); ++a)
+      {
+        k += motion_[i][a] * stiff_[i][a];
+        c += motion_[i][a] * damp_[i][a];
+      }
+    const double dt = 2 / (.5 * c + std::sqrt(.25 * c * c + std::max(k, 0.)));
+    quiet           = std::abs(dt - answer.dt) < tolerance * dt ? quiet + 1 : 0;
+    answer.dt       = dt;
+    ++answer.iterations;
+    for (int i = 0; i < dim; ++i)
+      for (std::size_t a = 0; a < nodes.size(); ++a)
+        motion_[i][a] = (.5 * dt * damp_[i][a] + .25 * dt * dt * stiff_[i][a]) / nodes.mass[a];
+    scale(nodes, held);
+  }
+  double largest = -1;
+  for (std::size_t a = 0; a < nodes.size(); ++a)
+  {
+    double size = 0;
+    for (int i = 0; i < dim; ++i)
+      size += motion_[i][a] * motion_[i][a];
+    if (size > largest)
+    {
+      largest     = size;
+      answer.node = static_cast<std::uint32_t>(a);
+    }
+  }
+  return answer;
+}
+
+template class CriticalStep<1>;
+template class CriticalStep<2>;
+template class CriticalStep<3>;
+} // namespace ogive::fem
