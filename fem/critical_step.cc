@@ -43,26 +43,28 @@ double CriticalStep<dim>::scale(const Nodes<dim> &nodes, const PrescribedMotion<
 }
 
 template <int dim>
-void CriticalStep<dim>::apply(const std::vector<AssembledGroup<dim>> &parts, const Nodes<dim> &nodes)
+void CriticalStep<dim>::apply(const Groups &groups, const Nodes<dim> &nodes)
 {
-  for (const auto &part : parts)
+  for (int i = 0; i < dim; ++i)
   {
-    part.group->tangent(nodes, motion_, corner_stiff_, corner_damp_);
-    for (std::size_t a = part.first_node; a < part.last_node; ++a)
-    {
-      double f[dim];
-      part.sum->at(a, corner_stiff_.data(), f);
+    std::fill(stiff_[i].begin(), stiff_[i].end(), 0.);
+    std::fill(damp_[i].begin(), damp_[i].end(), 0.);
+  }
+  for (const auto *group : groups)
+  {
+    group->tangent(nodes, motion_, element_stiff_, element_damp_);
+    group->for_each_node([&](std::uint32_t node, std::size_t at) {
       for (int i = 0; i < dim; ++i)
-        stiff_[i][a] = -f[i];
-      part.sum->at(a, corner_damp_.data(), f);
-      for (int i = 0; i < dim; ++i)
-        damp_[i][a] = -f[i];
-    }
+      {
+        stiff_[i][node] -= element_stiff_[at + static_cast<std::size_t>(i) * simd_width];
+        damp_[i][node] -= element_damp_[at + static_cast<std::size_t>(i) * simd_width];
+      }
+    });
   }
 }
 
 template <int dim>
-typename CriticalStep<dim>::Answer CriticalStep<dim>::estimate(const std::vector<AssembledGroup<dim>> &parts,
+typename CriticalStep<dim>::Answer CriticalStep<dim>::estimate(const Groups &groups,
                                                                const Nodes<dim>            &nodes,
                                                                const PrescribedMotion<dim> &held, double tolerance,
                                                                int most)
@@ -73,7 +75,7 @@ typename CriticalStep<dim>::Answer CriticalStep<dim>::estimate(const std::vector
   scale(nodes, held);
   while (answer.iterations < most && quiet < enough)
   {
-    apply(parts, nodes);
+    apply(groups, nodes);
     double k = 0, c = 0;
     for (int i = 0; i < dim; ++i)
       for (std::size_t a = 0; a < nodes.size(); ++a)

@@ -1,23 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "core/base/simd.h"
 #include "fem/boundary.h"
-#include "fem/corner_sum.h"
 #include "fem/element_group.h"
 
 #include <vector>
 
 namespace ogive::fem
 {
-/// A body's elements and how their forces come to the nodes.
-template <int dim>
-struct AssembledGroup
-{
-  const ElementGroup<dim> *group;
-  const CornerSum<dim>    *sum;
-  std::size_t              first_node, last_node;
-};
-
 /// The critical step of the assembled mesh by power iteration. The leapfrog is
 /// stable iff M - dt/2 C - dt^2/4 K is not negative (numerics.md, "Time"); with v
 /// the least favourable motion so far, v.M.v = 1, the step is the root of
@@ -29,6 +20,8 @@ template <int dim>
 class CriticalStep
 {
 public:
+  using Groups = std::vector<const ElementGroup<dim> *>;
+
   /// A motion with no symmetry, the same in every run.
   explicit CriticalStep(std::size_t n_nodes = 0);
 
@@ -40,7 +33,7 @@ public:
   };
   /// Goes on from the last motion until the step changes by less than
   /// `tolerance` (relative) in each of ten iterations.
-  Answer estimate(const std::vector<AssembledGroup<dim>> &, const Nodes<dim> &, const PrescribedMotion<dim> &,
+  Answer estimate(const Groups &, const Nodes<dim> &, const PrescribedMotion<dim> &,
                   double tolerance, int most);
 
   template <class F>
@@ -52,10 +45,10 @@ public:
 
 private:
   using Field = std::array<AlignedVector<double>, dim>;
-  void   apply(const std::vector<AssembledGroup<dim>> &, const Nodes<dim> &);
+  void   apply(const Groups &, const Nodes<dim> &);
   double scale(const Nodes<dim> &, const PrescribedMotion<dim> &);
 
   Field                 motion_, stiff_, damp_; ///< nodes
-  AlignedVector<double> corner_stiff_, corner_damp_;
+  AlignedVector<double> element_stiff_, element_damp_; ///< at the nodes of each element
 };
 } // namespace ogive::fem

@@ -42,13 +42,11 @@ public:
   virtual std::size_t cells() const { return size(); }
   /// Solver nodes of a cell, VTK order.
   virtual std::array<std::uint32_t, corners> nodes(std::size_t cell) const = 0;
-  /// Visits each node of each element with the index into corner_forces() of its
-  /// component 0; component d follows d * simd_width entries later.
-  virtual void                    for_each_node(const NodeVisitor &) const = 0;
-  virtual std::span<const double> corner_forces() const                   = 0;
-  /// Component i of the sums of the corner forces at the nodes of the body, N,
-  /// if the group takes them itself.
-  virtual std::span<const double> nodal_forces(int) const { return {}; }
+  /// Component i of the elements' forces at the nodes of the body at t_n, N.
+  virtual std::span<const double> nodal_forces(int i) const = 0;
+  /// Visits each node of each element with the index of its component 0 in the
+  /// arrays of tangent(); component d follows d * simd_width entries later.
+  virtual void for_each_node(const NodeVisitor &) const = 0;
 
   /// Adds the lumped mass of the elements to the nodes, kg.
   virtual void lump_mass(Nodes<dim> &) const = 0;
@@ -61,8 +59,8 @@ public:
   virtual StepLimit stable_dt() const = 0;
 
   /// What small displacements u (m) at the nodes make of elastic forces, and
-  /// velocities u (m/s) of viscous ones, both in the order of corner_forces(),
-  /// as forces against the motion, at the present shape and sound speeds.
+  /// velocities u (m/s) of viscous ones, N at the nodes of each element, against
+  /// the motion, at the present shape and sound speeds.
   virtual void tangent(const Nodes<dim> &, const std::array<AlignedVector<double>, dim> &u,
                        AlignedVector<double> &stiff, AlignedVector<double> &damp) const = 0;
 

@@ -28,6 +28,7 @@ IntegratedGroup<Element>::IntegratedGroup(const BodyMesh<dim> &mesh, const Group
   , n_(mesh.n_elements())
   , padded_n_(padded(n_))
   , first_element_(place.first_element)
+  , first_node_(place.first_node)
   , material_(mesh.material)
   , options_(options)
   , shear_modulus_(mesh.material->shear_modulus())
@@ -38,6 +39,8 @@ IntegratedGroup<Element>::IntegratedGroup(const BodyMesh<dim> &mesh, const Group
   node_.resize(padded_n_ * nodes_of);
   node_mass_.resize(padded_n_ * nodes_of);
   node_force_.resize(padded_n_ * nodes_of * dim, 0.);
+  for (auto &component : nodal_force_)
+    component.resize(mesh.n_nodes(), 0.);
   for (auto *a : {&point_mass_, &viscous_pressure_, &half_work_, &half_viscous_, &viscous_heat_})
     a->resize(padded_n_ * points_of, 0.);
   points_.resize(padded_n_ * points_of);
@@ -82,6 +85,7 @@ void IntegratedGroup<Element>::initialise(const Nodes<dim> &nodes)
       held.trace[q] = VDouble(0.);
     }
     stress(pack, x, held, 1.);
+    scatter(pack);
   }
 }
 
@@ -96,6 +100,24 @@ void IntegratedGroup<Element>::gather(const std::array<AlignedVector<double>, di
     {
       const double *f = field[i].data();
       out[a][i]       = VDouble([&](auto lane) { return f[node[lane]]; });
+    }
+  }
+}
+
+/// In the order of packs: the same sums every time.
+template <class Element>
+void IntegratedGroup<Element>::scatter(std::size_t pack)
+{
+  const std::size_t lanes = std::min(width, n_ - pack * width);
+  for (int a = 0; a < nodes_of; ++a)
+  {
+    const std::uint32_t *node = &node_[(pack * nodes_of + a) * width];
+    for (int i = 0; i < dim; ++i)
+    {
+      const double *force = &node_force_[((pack * nodes_of + a) * dim + i) * width];
+      double       *sum   = nodal_force_[i].data();
+      for (std::size_t lane = 0; lane < lanes; ++lane)
+        sum[node[lane] - first_node_] += force[lane];
     }
   }
 }
@@ -211,6 +233,8 @@ template <class Element>
 StepStatus IntegratedGroup<Element>::advance(const Nodes<dim> &nodes, const TimeStep &step)
 {
   limit_ = {0., 0.};
+  for (auto &component : nodal_force_)
+    std::fill(component.begin(), component.end(), 0.);
   Pack held;
   for (std::size_t pack = 0; pack < padded_n_ / width; ++pack)
   {
@@ -230,6 +254,7 @@ StepStatus IntegratedGroup<Element>::advance(const Nodes<dim> &nodes, const Time
     Field x;
     gather(nodes.x, pack, x);
     stress(pack, x, held, step.drift);
+    scatter(pack);
     for (int q = 0; q < points_of; ++q)
     {
       VDouble inc[6];

@@ -27,7 +27,7 @@ public:
   std::size_t                              cells() const override;
   std::array<std::uint32_t, Base::corners> nodes(std::size_t cell) const override;
   void                                     for_each_node(const NodeVisitor &) const override;
-  std::span<const double>                  corner_forces() const override { return node_force_; }
+  std::span<const double>                  nodal_forces(int i) const override { return nodal_force_[i]; }
 
   void       lump_mass(Nodes<dim> &) const override;
   void       initialise(const Nodes<dim> &) override;
@@ -67,6 +67,7 @@ private:
   void    book_energy(std::size_t pack, VDouble work, const Pack &);
   void    stress(std::size_t pack, const Field &x, const Pack &, double dt);
   void    viscosity(std::size_t pack, const Field &x, const Pack &, double dt, VDouble (&q)[points_of]);
+  void    scatter(std::size_t pack);
   void    limit_by(std::size_t pack, VDouble damping, VDouble frequency2);
   VDouble inverse_node_masses(std::size_t pack, VDouble (&inverse)[nodes_of]) const;
 
@@ -76,7 +77,7 @@ private:
   StepStatus first_bad(const Nodes<dim> &, std::size_t pack) const;
 
   int                                        body_;
-  std::size_t                                n_, padded_n_, first_element_;
+  std::size_t                                n_, padded_n_, first_element_, first_node_;
   std::shared_ptr<const materials::Material> material_;
   input::FemOptions                          options_;
   double                                     shear_modulus_, line_ = 0;
@@ -87,6 +88,7 @@ private:
 
   materials::Points     points_;                ///< packs of points
   AlignedVector<double> node_force_;            ///< N at t_n, packs of nodes x dim
+  std::array<AlignedVector<double>, dim> nodal_force_; ///< their sums at the body's nodes
   AlignedVector<double> viscous_pressure_;      ///< Pa, packs of points
   AlignedVector<double> half_work_;             ///< J: half of the power of t_n times the last strains
   AlignedVector<double> half_viscous_;          ///< J, the viscous part of it

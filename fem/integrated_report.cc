@@ -205,6 +205,8 @@ void IntegratedGroup<Element>::for_each_state(const Visitor &visit)
 {
   points_.for_each_array([&](const char *name, AlignedVector<double> &a) { visit(name, a); });
   visit("node_force", node_force_);
+  for (int i = 0; i < dim; ++i)
+    visit(std::string("nodal_force_") + "xyz"[i], nodal_force_[i]);
   visit("viscous_pressure", viscous_pressure_);
   visit("half_work", half_work_);
   visit("half_viscous", half_viscous_);

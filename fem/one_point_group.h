@@ -23,7 +23,6 @@ public:
   std::size_t                        size() const override { return n_; }
   std::array<std::uint32_t, corners> nodes(std::size_t e) const override;
   void for_each_node(const typename ElementGroup<dim>::NodeVisitor &) const override;
-  std::span<const double> corner_forces() const override { return corner_force_; }
   std::span<const double> nodal_forces(int i) const override { return nodal_force_[i]; }
 
   void       lump_mass(Nodes<dim> &) const override;

@@ -28,7 +28,7 @@ void Solver<dim>::Implementation::build(std::vector<BodyMesh<dim>> meshes)
   {
     require(mesh.axisymmetric == parameters.axisymmetric, "mesh and solver disagree about axial symmetry");
     first_node.push_back(n_nodes);
-    parts.push_back({n_nodes, n_nodes + mesh.n_nodes(), n_elements, {}});
+    parts.push_back({n_nodes, n_nodes + mesh.n_nodes(), n_elements});
     n_nodes += mesh.n_nodes();
     n_elements += mesh.n_cells();
   }
@@ -55,7 +55,6 @@ void Solver<dim>::Implementation::build(std::vector<BodyMesh<dim>> meshes)
     groups.push_back(make_element_group<dim>(mesh, {first_node[b], parts[b].first_element}, parameters.options));
     groups.back()->lump_mass(nodes);
     groups.back()->initialise(nodes);
-    parts[b].sum = CornerSum<dim>(parts[b].first_node, parts[b].last_node, *groups.back());
   }
   for (std::size_t a = 0; a < n_nodes; ++a)
     if (!(nodes.mass[a] > 0))
@@ -121,10 +120,10 @@ StepLimit Solver<dim>::stable_dt() const
 template <int dim>
 typename CriticalStep<dim>::Answer Solver<dim>::Implementation::find_critical(double tolerance, int most)
 {
-  std::vector<AssembledGroup<dim>> assembled;
-  for (std::size_t g = 0; g < groups.size(); ++g)
-    assembled.push_back({groups[g].get(), &parts[g].sum, parts[g].first_node, parts[g].last_node});
-  return critical.estimate(assembled, nodes, prescribed, tolerance, most);
+  typename CriticalStep<dim>::Groups all;
+  for (const auto &group : groups)
+    all.push_back(group.get());
+  return critical.estimate(all, nodes, prescribed, tolerance, most);
 }
 
 template <int dim>
@@ -186,41 +185,19 @@ void Solver<dim>::Implementation::kick(const TimeStep &step)
     pressures.add(nodes, load);
   }
   for (std::size_t g = 0; g < groups.size(); ++g)
-    groups[g]->nodal_forces(0).empty() ? kick_by_corners(g, step.kick) : kick_by_nodes(g, step.kick);
-}
-
-template <int dim>
-void Solver<dim>::Implementation::kick_by_nodes(std::size_t g, double kick)
-{
-  const std::size_t first = parts[g].first_node, n = parts[g].last_node - first;
-  const double     *mass = &nodes.mass[first];
-  for (int i = 0; i < dim; ++i)
   {
-    const double *element = groups[g]->nodal_forces(i).data(), *press = &load[i][first];
-    double       *v = &nodes.v[i][first], *old = &v_old[i][first], *force = &nodes.force[i][first];
-    for (std::size_t a = 0; a < n; ++a)
-    {
-      old[a] = v[a];
-      v[a] += kick / mass[a] * (element[a] + force[a] + press[a]);
-      force[a] = 0;
-    }
-  }
-}
-
-template <int dim>
-void Solver<dim>::Implementation::kick_by_corners(std::size_t g, double kick)
-{
-  const double *corner = groups[g]->corner_forces().data();
-  for (std::size_t a = parts[g].first_node; a < parts[g].last_node; ++a)
-  {
-    double f[dim];
-    parts[g].sum.at(a, corner, f);
-    const double per_mass = kick / nodes.mass[a];
+    const std::size_t first = parts[g].first_node, n = parts[g].last_node - first;
+    const double     *mass = &nodes.mass[first];
     for (int i = 0; i < dim; ++i)
     {
-      v_old[i][a] = nodes.v[i][a];
-      nodes.v[i][a] += per_mass * (f[i] + nodes.force[i][a] + load[i][a]);
-      nodes.force[i][a] = 0;
+      const double *element = groups[g]->nodal_forces(i).data(), *press = &load[i][first];
+      double       *v = &nodes.v[i][first], *old = &v_old[i][first], *force = &nodes.force[i][first];
+      for (std::size_t a = 0; a < n; ++a)
+      {
+        old[a] = v[a];
+        v[a] += step.kick / mass[a] * (element[a] + force[a] + press[a]);
+        force[a] = 0;
+      }
     }
   }
 }

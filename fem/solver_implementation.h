@@ -2,7 +2,6 @@
 #pragma once
 
 #include "fem/boundary.h"
-#include "fem/corner_sum.h"
 #include "fem/critical_step.h"
 #include "fem/element_group.h"
 #include "fem/nodes.h"
@@ -19,8 +18,7 @@ struct Solver<dim>::Implementation
   /// A body: its nodes [first_node, last_node) and its elements.
   struct Part
   {
-    std::size_t    first_node, last_node, first_element;
-    CornerSum<dim> sum;
+    std::size_t first_node, last_node, first_element;
   };
 
   Parameters                                      parameters;
@@ -43,8 +41,6 @@ struct Solver<dim>::Implementation
   void       build(std::vector<BodyMesh<dim>>);
   void       build_surface(const std::vector<BodyMesh<dim>> &);
   void       kick(const TimeStep &);
-  void       kick_by_nodes(std::size_t g, double kick);
-  void       kick_by_corners(std::size_t g, double kick);
   void       book_pressure(double kick);
   void       drift(double dt);
   StepStatus check_nodes() const;
