@@ -4,6 +4,7 @@
 #include "core/base/simd.h"
 #include "fem/element_group.h"
 #include "fem/elements/one_point.h"
+#include "fem/viscosity/viscosities.h"
 
 namespace ogive::fem
 {
@@ -57,15 +58,27 @@ private:
 
   void    find_rows();
   void    scatter(std::size_t begin, std::size_t count);
-  void    gather(const std::array<AlignedVector<double>, dim> &, std::size_t pack, Corners &) const;
+  void    gather(const std::array<AlignedVector<double>, dim> &, std::size_t pack, Corners &,
+                 std::size_t first = 0) const;
+  template <bool corrected>
+  StepStatus take(const Nodes<dim> &, const TimeStep &);
+  template <bool corrected>
   bool    strain(const Nodes<dim> &, const TimeStep &, std::size_t pack, Block &, std::size_t held);
   VDouble internal_work(std::size_t pack, const Corners &v, double kick) const;
-  void    book_energy(std::size_t pack, VDouble work, const Shape &, const Motion &);
+  void    book_energy(std::size_t pack, VDouble work, VDouble correction, const Shape &, const Motion &);
+  template <bool corrected>
   void    stress(std::size_t pack, const Shape &, const Motion &, double dt);
   Gram<Element, VDouble> inverse_mass_gram(std::size_t pack, const Shape &,
                                            const Gram<Element, VDouble> &unit) const;
 
   void fetch(std::size_t begin, std::size_t count);
+
+  // one_point_correction.cc
+  VDouble weak_share(const VDouble &length, const VDouble &rate, const VDouble &sound_speed) const;
+  void    add_weak(std::size_t pack, const Shape &, const VDouble &pressure);
+  void    pair_forces(std::size_t pack, const Corners &acceleration, Corners &force) const;
+  VDouble correction_work(std::size_t pack, const Corners &v, double kick) const;
+  void    correct(const Nodes<dim> &);
 
   StepStatus fail(const Nodes<dim> &, std::size_t e, const char *why) const;
   StepStatus first_bad(const Nodes<dim> &, std::size_t pack) const;
@@ -74,7 +87,8 @@ private:
   std::size_t                                n_, padded_n_, first_element_, first_node_;
   std::shared_ptr<const materials::Material> material_;
   input::FemOptions                          options_;
-  bool                                       viscous_hourglass_;
+  AnyBulkViscosity                           bulk_;
+  bool                                       viscous_hourglass_, corrected_, split_;
   double                                     shear_modulus_, hourglass_modulus_;
 
   std::vector<std::uint32_t> node_;         ///< packs of corners
@@ -87,6 +101,9 @@ private:
   std::array<AlignedVector<double>, dim> nodal_force_; ///< N at t_n, sums over the corners at the body's nodes
   AlignedVector<double> Q_;                 ///< hourglass forces, N, packs of modes x dim
   AlignedVector<double> viscous_pressure_;  ///< Pa
+  AlignedVector<double> weak_pressure_;     ///< Pa: the part of it that is corrected
+  std::array<AlignedVector<double>, dim> weak_force_, weak_acceleration_; ///< N, m/s^2 at t_n, by that part alone
+  AlignedVector<double> half_correction_;   ///< W: half of the power of the corrected forces at the last velocities
   AlignedVector<double> half_hourglass_;    ///< J: half of Q_n times the last rates
   AlignedVector<double> half_viscous_;      ///< J: half of q_n times the last volume change
   AlignedVector<double> half_power_;        ///< W: half of what the forces of t_n give the element at the last velocities

@@ -61,6 +61,9 @@ void Solver<dim>::Implementation::build(std::vector<BodyMesh<dim>> meshes)
       throw InputError("node " + std::to_string(a) + " of the mesh belongs to no element");
   prescribed = PrescribedMotion<dim>(parameters, meshes, first_node);
   prescribed.start(nodes);
+  for (int i = 0; i < dim; ++i)
+    for (std::size_t a = 0; a < n_nodes; ++a)
+      nodes.held[i][a] = prescribed.prescribed(a, i);
   pressures = Pressures<dim>(parameters, meshes, first_node);
   build_surface(meshes);
   walls = RigidWalls<dim>(parameters, face.contact_points);
