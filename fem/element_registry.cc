@@ -14,6 +14,14 @@ namespace ogive::fem
 {
 namespace
 {
+/// The correction needs masses between the corners of an element.
+void refuse_correction(const std::string &element, const input::FemOptions &options)
+{
+  if (options.correction != "none")
+    throw InputError({"", 0, "FEM/correction"}, "is " + options.correction + ", but there are " + element + " elements",
+                     "FEM/correction = none", "or FEM/element = one-point");
+}
+
 template <class Group, int dim>
 std::unique_ptr<ElementGroup<dim>> build(const BodyMesh<dim> &mesh, const GroupPlace &place,
                                          const input::FemOptions &options)
@@ -25,6 +33,7 @@ template <int dim>
 std::unique_ptr<ElementGroup<dim>> spectral(const BodyMesh<dim> &mesh, const GroupPlace &place,
                                             const input::FemOptions &options)
 {
+  refuse_correction("spectral", options);
   switch (mesh.degree)
   {
     case 2:
@@ -54,6 +63,8 @@ std::unique_ptr<ElementGroup<2>> make_element_group(const BodyMesh<2> &mesh, con
 {
   if (mesh.element == "spectral")
     return spectral<2>(mesh, place, options);
+  if (mesh.element != "one-point")
+    refuse_correction(mesh.element, options);
   if (mesh.element == "b-bar")
     return mesh.axisymmetric ? build<IntegratedGroup<BBar<2, true>>, 2>(mesh, place, options) :
                                build<IntegratedGroup<BBar<2, false>>, 2>(mesh, place, options);
@@ -76,6 +87,8 @@ std::unique_ptr<ElementGroup<3>> make_element_group(const BodyMesh<3> &mesh, con
 {
   if (mesh.element == "spectral")
     return spectral<3>(mesh, place, options);
+  if (mesh.element != "one-point")
+    refuse_correction(mesh.element, options);
   if (mesh.element == "b-bar")
     return build<IntegratedGroup<BBar<3, false>>, 3>(mesh, place, options);
   if (mesh.element == "full")

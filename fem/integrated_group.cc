@@ -5,7 +5,6 @@
 #include "fem/elements/b_bar.h"
 #include "fem/elements/spectral.h"
 #include "fem/integrated_instances.h"
-#include "fem/viscosity/neumann_richtmyer.h"
 
 #include <algorithm>
 
@@ -31,6 +30,7 @@ IntegratedGroup<Element>::IntegratedGroup(const BodyMesh<dim> &mesh, const Group
   , first_node_(place.first_node)
   , material_(mesh.material)
   , options_(options)
+  , bulk_(bulk_viscosity(options))
   , shear_modulus_(mesh.material->shear_modulus())
 {
   require(n_ > 0, "a body without elements");
@@ -288,7 +288,6 @@ template <class Element>
 void IntegratedGroup<Element>::viscosity(std::size_t pack, const Field &x, const Pack &held, double dt,
                                          VDouble (&q_of)[points_of])
 {
-  const NeumannRichtmyer law{options_.bulk_quadratic, options_.bulk_linear};
   VDouble                inverse[nodes_of];
   const VDouble          least = inverse_node_masses(pack, inverse);
   VDouble                damping(0.), frequency2(0.), stiffest(0.);
@@ -304,7 +303,8 @@ void IntegratedGroup<Element>::viscosity(std::size_t pack, const Field &x, const
       length = point_length<Element, VDouble>(held.point[q]);
     else
       length = shape.length;
-    const auto bulk = law(density, c, length, VDouble(stdx::min(held.trace[q], VDouble(0.)) * (-1. / dt)));
+    const auto bulk =
+      evaluate(bulk_, density, c, length, VDouble(stdx::min(held.trace[q], VDouble(0.)) * (-1. / dt)));
     q_of[q]         = bulk.pressure;
     store(bulk.pressure, &viscous_pressure_[p]);
     const VDouble lambda = stdx::max(VDouble(density * c * c - 2. * shear_modulus_), VDouble(0.));

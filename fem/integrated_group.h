@@ -4,6 +4,7 @@
 #include "core/base/simd.h"
 #include "fem/element_group.h"
 #include "fem/elements/integrated_bound.h"
+#include "fem/viscosity/viscosities.h"
 
 namespace ogive::fem
 {
@@ -80,6 +81,7 @@ private:
   std::size_t                                n_, padded_n_, first_element_, first_node_;
   std::shared_ptr<const materials::Material> material_;
   input::FemOptions                          options_;
+  AnyBulkViscosity                           bulk_;
   double                                     shear_modulus_, line_ = 0;
 
   std::vector<std::uint32_t> node_;             ///< packs of nodes

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/integrated_group.h"
 #include "fem/integrated_instances.h"
-#include "fem/viscosity/neumann_richtmyer.h"
 
 #include <algorithm>
 
@@ -44,7 +43,6 @@ struct IntegratedGroup<Element>::Tangent
 template <class Element>
 void IntegratedGroup<Element>::linearise(std::size_t pack, const Field &x, const Field &u, Tangent &t) const
 {
-  const NeumannRichtmyer bulk{options_.bulk_quadratic, options_.bulk_linear};
   VDouble                inverse[nodes_of];
   inverse_node_masses(pack, inverse);
   for (int q = 0; q < points_of; ++q)
@@ -64,7 +62,7 @@ void IntegratedGroup<Element>::linearise(std::size_t pack, const Field &x, const
     const std::size_t p       = at(pack, q);
     const VDouble     density = load(&points_.density[p]), c = load(&points_.sound_speed[p]);
     t.lambda[q]  = stdx::max(VDouble(density * c * c - 2. * shear_modulus_), VDouble(0.));
-    t.viscous[q] = bulk.damping(density, c, length, load(&viscous_pressure_[p]));
+    t.viscous[q] = damping_of(bulk_, density, c, length, load(&viscous_pressure_[p]));
   }
 }
 

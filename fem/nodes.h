@@ -16,6 +16,7 @@ struct Nodes
   std::array<AlignedVector<double>, dim> x0, x, v;
   std::array<AlignedVector<double>, dim> v_mean; ///< mean of the last two half-step velocities
   std::array<AlignedVector<double>, dim> force;  ///< from the coupling layer
+  std::array<std::vector<char>, dim>     held;   ///< 1 where the component is prescribed
   AlignedVector<double>                  mass;
   std::vector<int>                       body; ///< index into the scene's bodies
   std::vector<std::int64_t>              id;
@@ -27,6 +28,8 @@ struct Nodes
     for (auto *field : {&x0, &x, &v, &v_mean, &force})
       for (auto &component : *field)
         component.resize(n, 0.);
+    for (auto &component : held)
+      component.resize(n, 0);
     mass.resize(n, 0.);
     body.resize(n, 0);
     id.resize(n, 0);

@@ -6,7 +6,6 @@
 #include "fem/elements/line2.h"
 #include "fem/elements/quad4.h"
 #include "fem/elements/quad4_area_weighted.h"
-#include "fem/viscosity/neumann_richtmyer.h"
 
 #include <algorithm>
 
@@ -32,7 +31,10 @@ OnePointGroup<Element>::OnePointGroup(const BodyMesh<dim> &mesh, const GroupPlac
   , first_node_(place.first_node)
   , material_(mesh.material)
   , options_(options)
+  , bulk_(bulk_viscosity(options))
   , viscous_hourglass_(options.hourglass == "viscous")
+  , corrected_(options.correction != "none")
+  , split_(options.shock_split != "none")
   , shear_modulus_(mesh.material->shear_modulus())
   // A fluid has no shear stiffness; a tenth of its bulk modulus resists the
   // patterns without stiffening the volume response.
@@ -78,6 +80,11 @@ OnePointGroup<Element>::OnePointGroup(const BodyMesh<dim> &mesh, const GroupPlac
   }
   for (auto &component : nodal_force_)
     component.resize(mesh.n_nodes(), 0.);
+  for (auto *field : {&weak_force_, &weak_acceleration_})
+    for (auto &component : *field)
+      component.resize(corrected_ ? mesh.n_nodes() : 0, 0.);
+  weak_pressure_.resize(corrected_ ? padded_n_ : 0, 0.);
+  half_correction_.resize(corrected_ ? padded_n_ : 0, 0.);
   find_rows();
 }
 
@@ -107,7 +114,7 @@ void OnePointGroup<Element>::initialise(const Nodes<dim> &nodes)
     Motion  motion;
     gather(nodes.x, pack, x);
     deform<Element, VDouble>(x, still, VDouble(1.), shape, motion);
-    stress(pack, shape, motion, 1.);
+    stress<false>(pack, shape, motion, 1.);
     if constexpr (!area_weighted)
       scatter(pack, 1);
   }
@@ -117,7 +124,7 @@ void OnePointGroup<Element>::initialise(const Nodes<dim> &nodes)
 
 template <class Element>
 void OnePointGroup<Element>::gather(const std::array<AlignedVector<double>, dim> &field, std::size_t pack,
-                                    Corners &out) const
+                                    Corners &out, std::size_t first) const
 {
   for (int a = 0; a < corners; ++a)
   {
@@ -125,12 +132,12 @@ void OnePointGroup<Element>::gather(const std::array<AlignedVector<double>, dim>
     const std::uint32_t  row  = row_[pack * corners + a];
     if (row != no_row)
       for (int i = 0; i < dim; ++i)
-        out[a][i] = VDouble(field[i].data() + row, stdx::element_aligned);
+        out[a][i] = VDouble(field[i].data() + (row - first), stdx::element_aligned);
     else
       for (int i = 0; i < dim; ++i)
       {
         const double *f = field[i].data();
-        out[a][i]       = VDouble([&](auto lane) { return f[node[lane]]; });
+        out[a][i]       = VDouble([&](auto lane) { return f[node[lane] - first]; });
       }
   }
 }
@@ -178,8 +185,8 @@ VDouble OnePointGroup<Element>::internal_work(std::size_t pack, const Corners &v
 }
 
 template <class Element>
-void OnePointGroup<Element>::book_energy(std::size_t pack, VDouble work, const Shape &shape,
-                                         const Motion &motion)
+void OnePointGroup<Element>::book_energy(std::size_t pack, VDouble work, VDouble correction,
+                                         const Shape &shape, const Motion &motion)
 {
   // Hourglass forces and viscous pressure of t_n work over half of the last and
   // half of this step: trapezoidal, while `work`, the whole, is exact.
@@ -188,21 +195,29 @@ void OnePointGroup<Element>::book_energy(std::size_t pack, VDouble work, const S
   for (int m = 0; m < modes; ++m)
     for (int i = 0; i < dim; ++i)
       patterns += .5 * load(&Q_[((pack * modes + m) * dim + i) * width]) * motion.rate[m][i];
-  const VDouble heat =
-    load(&half_viscous_[e]) - .5 * load(&viscous_pressure_[e]) * motion.trace * shape.volume;
+  VDouble q = load(&viscous_pressure_[e]);
+  if (corrected_)
+    q -= load(&weak_pressure_[e]);
+  const VDouble heat = load(&half_viscous_[e]) - .5 * q * motion.trace * shape.volume + correction;
   store(load(&hourglass_energy_[e]) + patterns, &hourglass_energy_[e]);
   store(load(&viscous_heat_[e]) + heat, &viscous_heat_[e]);
   store(load(&points_.energy[e]) + (work - patterns) / load(&mass_[e]), &points_.energy[e]);
 }
 
 template <class Element>
+template <bool corrected>
 bool OnePointGroup<Element>::strain(const Nodes<dim> &nodes, const TimeStep &step, std::size_t pack,
                                     Block &block, std::size_t held)
 {
   Corners x, v;
   gather(nodes.x, pack, x);
   gather(nodes.v, pack, v);
-  const VDouble work = internal_work(pack, v, step.kick);
+  VDouble work = internal_work(pack, v, step.kick), correction(0.);
+  if constexpr (corrected)
+  {
+    correction = correction_work(pack, v, step.kick);
+    work += correction;
+  }
   Shape  &shape  = block.shape[held];
   Motion &motion = block.motion[held];
   deform<Element, VDouble>(x, v, VDouble(step.drift), shape, motion);
@@ -215,7 +230,7 @@ bool OnePointGroup<Element>::strain(const Nodes<dim> &nodes, const TimeStep &ste
   for (int c = 0; c < 3; ++c)
     store(motion.spin[c], &block.spin[c][at]);
   store(load(&mass_[pack * width]) / shape.volume, &block.density[at]);
-  book_energy(pack, work, shape, motion);
+  book_energy(pack, work, correction, shape, motion);
   const VDouble energy = load(&points_.energy[pack * width]);
   return stdx::all_of(shape.volume > 0.) && stdx::all_of(energy - energy == 0.);
 }
@@ -242,19 +257,28 @@ void OnePointGroup<Element>::fetch(std::size_t begin, std::size_t count)
 template <class Element>
 StepStatus OnePointGroup<Element>::advance(const Nodes<dim> &nodes, const TimeStep &step)
 {
+  return corrected_ ? take<true>(nodes, step) : take<false>(nodes, step);
+}
+
+template <class Element>
+template <bool corrected>
+StepStatus OnePointGroup<Element>::take(const Nodes<dim> &nodes, const TimeStep &step)
+{
   const std::size_t packs = padded_n_ / width;
   limit_                  = {0., 0.};
   for (auto &component : nodal_force_)
+    std::fill(component.begin(), component.end(), 0.);
+  for (auto &component : weak_force_)
     std::fill(component.begin(), component.end(), 0.);
   Block block;
   for (std::size_t begin = 0; begin < packs; begin += block_packs)
   {
     const std::size_t count = std::min(block_packs, packs - begin);
     for (std::size_t k = 0; k < count; ++k)
-      if (!strain(nodes, step, begin + k, block, k))
+      if (!strain<corrected>(nodes, step, begin + k, block, k))
         return first_bad(nodes, begin + k);
 
-    if (false && begin + block_packs < packs)
+    if (begin + block_packs < packs)
       fetch(begin + block_packs, std::min(block_packs, packs - begin - block_packs));
     materials::Increments increments;
     for (int c = 0; c < 6; ++c)
@@ -270,12 +294,14 @@ StepStatus OnePointGroup<Element>::advance(const Nodes<dim> &nodes, const TimeSt
       return fail(nodes, std::min(bad, n_ - 1), materials::describe(status));
 
     for (std::size_t k = 0; k < count; ++k)
-      stress(begin + k, block.shape[k], block.motion[k], step.drift);
+      stress<corrected>(begin + k, block.shape[k], block.motion[k], step.drift);
     if constexpr (!area_weighted)
       scatter(begin, count);
   }
   if constexpr (area_weighted)
     weigh(nodes);
+  if constexpr (corrected)
+    correct(nodes);
   return {};
 }
 
@@ -303,6 +329,7 @@ Gram<Element, VDouble> OnePointGroup<Element>::inverse_mass_gram(std::size_t pac
 /// the element with its own corner masses, D its damping; the assembled mesh
 /// lies below the largest element (Irons and Treharne, 1971).
 template <class Element>
+template <bool corrected>
 void OnePointGroup<Element>::stress(std::size_t pack, const Shape &shape, const Motion &motion, double dt)
 {
   const std::size_t e = pack * width;
@@ -314,10 +341,16 @@ void OnePointGroup<Element>::stress(std::size_t pack, const Shape &shape, const 
   const VDouble density = load(&points_.density[e]), c = load(&points_.sound_speed[e]);
 
   const VDouble rate   = stdx::min(motion.trace, VDouble(0.)) * (-1. / dt);
-  const auto    bulk =
-    NeumannRichtmyer{options_.bulk_quadratic, options_.bulk_linear}(density, c, length, rate);
-  const VDouble q = bulk.pressure;
+  const auto    bulk = evaluate(bulk_, density, c, length, rate);
+  VDouble       q    = bulk.pressure;
   store(q, &viscous_pressure_[e]);
+  if constexpr (corrected)
+  {
+    const VDouble weak = weak_share(length, rate, c) * q;
+    store(weak, &weak_pressure_[e]);
+    add_weak(pack, shape, weak);
+    q -= weak;
+  }
   store(-.5 * q * motion.trace * shape.volume, &half_viscous_[e]);
   VDouble damping = shape.volume * bulk.damping * weight.divergence;
 

@@ -4,6 +4,7 @@
 #include "core/base/simd.h"
 #include "fem/element_group.h"
 #include "fem/elements/one_point.h"
+#include "fem/viscosity/viscosities.h"
 
 namespace ogive::fem
 {
@@ -45,7 +46,7 @@ public:
 
 private:
   static constexpr std::size_t width       = simd_width;
-  static constexpr std::size_t block_packs = 8; ///< packs between two calls of the material
+  static constexpr std::size_t block_packs = 16; ///< packs between two calls of the material
 
   static constexpr bool area_weighted = requires { Element::area_weighted; };
   static constexpr std::uint32_t no_row = 0xffffffff;
@@ -67,10 +68,15 @@ private:
   void    find_rows();
   void    scatter(std::size_t begin, std::size_t count);
   void    weigh(const Nodes<dim> &);
-  void    gather(const std::array<AlignedVector<double>, dim> &, std::size_t pack, Corners &) const;
+  void    gather(const std::array<AlignedVector<double>, dim> &, std::size_t pack, Corners &,
+                 std::size_t first = 0) const;
+  template <bool corrected>
+  StepStatus take(const Nodes<dim> &, const TimeStep &);
+  template <bool corrected>
   bool    strain(const Nodes<dim> &, const TimeStep &, std::size_t pack, Block &, std::size_t held);
   VDouble internal_work(std::size_t pack, const Corners &v, double kick) const;
-  void    book_energy(std::size_t pack, VDouble work, const Shape &, const Motion &);
+  void    book_energy(std::size_t pack, VDouble work, VDouble correction, const Shape &, const Motion &);
+  template <bool corrected>
   void    stress(std::size_t pack, const Shape &, const Motion &, double dt);
   Gram<Element, VDouble> inverse_mass_gram(std::size_t pack, const Shape &,
                                            const Gram<Element, VDouble> &unit) const;
@@ -79,6 +85,13 @@ private:
   /// Points the corners of e to its own nodes or to the grave.
   void bury(std::size_t e);
 
+  // one_point_correction.cc
+  VDouble weak_share(const VDouble &length, const VDouble &rate, const VDouble &sound_speed) const;
+  void    add_weak(std::size_t pack, const Shape &, const VDouble &pressure);
+  void    pair_forces(std::size_t pack, const Corners &acceleration, Corners &force) const;
+  VDouble correction_work(std::size_t pack, const Corners &v, double kick) const;
+  void    correct(const Nodes<dim> &);
+
   StepStatus fail(const Nodes<dim> &, std::size_t e, const char *why) const;
   StepStatus first_bad(const Nodes<dim> &, std::size_t pack) const;
 
@@ -86,7 +99,8 @@ private:
   std::size_t                                n_, padded_n_, first_element_, first_node_;
   std::shared_ptr<const materials::Material> material_;
   input::FemOptions                          options_;
-  bool                                       viscous_hourglass_;
+  AnyBulkViscosity                           bulk_;
+  bool                                       viscous_hourglass_, corrected_, split_;
   double                                     shear_modulus_, hourglass_modulus_;
 
   std::vector<std::uint32_t> node_;         ///< packs of corners
@@ -100,6 +114,9 @@ private:
   std::vector<double>   ring_mass_, section_mass_; ///< kg, kg/m at the body's nodes; area-weighted only
   AlignedVector<double> Q_;                 ///< hourglass forces, N, packs of modes x dim
   AlignedVector<double> viscous_pressure_;  ///< Pa
+  AlignedVector<double> weak_pressure_;     ///< Pa: the part of it that is corrected
+  std::array<AlignedVector<double>, dim> weak_force_, weak_acceleration_; ///< N, m/s^2 at t_n, by that part alone
+  AlignedVector<double> half_correction_;   ///< W: half of the power of the corrected forces at the last velocities
   AlignedVector<double> half_hourglass_;    ///< J: half of Q_n times the last rates
   AlignedVector<double> half_viscous_;      ///< J: half of q_n times the last volume change
   AlignedVector<double> half_power_;        ///< W: half of what the forces of t_n give the element at the last velocities

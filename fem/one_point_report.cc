@@ -155,6 +155,13 @@ void OnePointGroup<Element>::for_each_state(const Visitor &visit)
     visit(std::string("nodal_force_") + "xyz"[i], nodal_force_[i]);
   visit("hourglass_force", Q_);
   visit("viscous_pressure", viscous_pressure_);
+  if (corrected_)
+  {
+    visit("weak_pressure", weak_pressure_);
+    visit("half_correction", half_correction_);
+    for (int i = 0; i < dim; ++i)
+      visit(std::string("weak_acceleration_") + "xyz"[i], weak_acceleration_[i]);
+  }
   visit("half_hourglass", half_hourglass_);
   visit("half_viscous", half_viscous_);
   visit("half_power", half_power_);

@@ -4,7 +4,6 @@
 #include "fem/elements/quad4.h"
 #include "fem/elements/quad4_area_weighted.h"
 #include "fem/one_point_group.h"
-#include "fem/viscosity/neumann_richtmyer.h"
 
 #include <algorithm>
 
@@ -17,7 +16,6 @@ void OnePointGroup<Element>::tangent(const Nodes<dim> &nodes, const std::array<A
 {
   stiff.resize(corner_force_.size());
   damp.resize(corner_force_.size());
-  const NeumannRichtmyer bulk{options_.bulk_quadratic, options_.bulk_linear};
   VDouble                ones[corners];
   std::fill(std::begin(ones), std::end(ones), VDouble(1.));
   for (std::size_t pack = 0; pack < padded_n_ / width; ++pack)
@@ -52,7 +50,7 @@ void OnePointGroup<Element>::tangent(const Nodes<dim> &nodes, const std::array<A
     const VDouble lambda = stdx::max(VDouble(density * c * c - 2. * shear_modulus_), VDouble(0.));
     const auto    unit   = gram<Element, VDouble>(shape, ones);
     const VDouble length = length_of<Element, VDouble>(unit.trace);
-    const VDouble damping = bulk.damping(density, c, length, load(&viscous_pressure_[e]));
+    const VDouble damping = damping_of(bulk_, density, c, length, load(&viscous_pressure_[e]));
     for (int i = 0; i < 3; ++i)
     {
       const VDouble own = i < dim ? L[i][i] : i == 2 ? hoop : VDouble(0.);

@@ -81,6 +81,9 @@ void Solver<dim>::Implementation::build(std::vector<BodyMesh<dim>> meshes)
   review_erosion();
   walls    = RigidWalls<dim>(parameters, wall_nodes(meshes));
   critical = CriticalStep<dim>(nodes.size());
+  for (int i = 0; i < dim; ++i)
+    for (std::size_t a = 0; a < n_nodes; ++a)
+      nodes.held[i][a] = prescribed.prescribed(a, i);
   if (parameters.options.step_bound == "power-iteration")
     sharpening[0] = std::max(1., find_critical(1e-6, 5000).dt / element_limit().dt);
 }

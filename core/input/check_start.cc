@@ -103,6 +103,8 @@ void check_erosion(const Scene &s, const Body &b, const Listing &listing)
   const std::string &element = b.element.empty() ? s.fem.element : b.element;
   if (element != "one-point" && s.dimension != Dimension::uniaxial)
     refuse("only one-point elements die, and those of the body are \"" + element + "\"", "element = one-point");
+  if (s.fem.correction != "none")
+    refuse("the correction of the elements' viscosity does not let go of dead elements", "FEM/correction = none");
   if (b.coarsen > 0)
     refuse("elements around hanging nodes do not die", "erosion none, or a mesh without coarsening");
   for (const Interface &i : s.interfaces)

@@ -59,8 +59,17 @@ void fem_fields(Fields &f, FemOptions &o)
   f.choice({"hourglass", "kind of hourglass control"}, o.hourglass, {"stiffness", "viscous"});
   f.number({"hourglass coefficient", "coefficient of the hourglass control"}, o.hourglass_coefficient,
            bounds::not_negative);
+  f.choice({"bulk viscosity", "formula of the bulk viscosity of elements"}, o.bulk_viscosity,
+           {"neumann-richtmyer", "kuropatenko", "none"});
   f.number({"bulk quadratic", "quadratic coefficient of the bulk viscosity"}, o.bulk_quadratic, bounds::not_negative);
   f.number({"bulk linear", "linear coefficient of the bulk viscosity"}, o.bulk_linear, bounds::not_negative);
+  f.choice({"correction", "acceleration correction of the bulk viscosity of one-point elements: what neighbours share "
+                          "is taken out of it"},
+           o.correction, {"none", "pairwise"});
+  f.choice({"shock split", "sensor of the viscosity that captures shocks and is not corrected"}, o.shock_split,
+           {"none", "compression"});
+  f.number({"split compression", "L |div v|/c at which shock split = compression leaves all viscosity"},
+           o.split_compression, bounds::positive);
   f.choice({"step bound", "whose bound: the worst element's, never unsafe, or that of the whole mesh by power "
                           "iteration every 20 steps"},
            o.step_bound, {"element", "power-iteration"});

@@ -243,7 +243,12 @@ struct FemOptions
   int         degree            = 4;           ///< of spectral elements, 2 to 4
   std::string hourglass         = "stiffness"; ///< "stiffness", "viscous"
   double      hourglass_coefficient = .05;
+  std::string bulk_viscosity    = "neumann-richtmyer"; ///< fem/viscosity/
   double      bulk_quadratic    = 1.5, bulk_linear = .06;
+  std::string correction        = "none"; ///< of the acceleration by viscosity: "none", "pairwise"
+  std::string shock_split       = "none"; ///< "none", "compression"
+  double      split_compression = .02;    ///< M0: L |div v|/c at which all viscosity stays
+  double      mass_scaling_step = 0;      ///< s; 0: no mass is added
   std::string step_bound        = "element"; ///< "element", "power-iteration"
   double      step_factor       = .9;
 };

@@ -18,6 +18,8 @@ struct BulkViscosity
 /// doi 10.1063/1.1699639, and a linear one.
 struct NeumannRichtmyer
 {
+  static constexpr const char *name = "neumann-richtmyer";
+
   double quadratic = 1.5, linear = .06; ///< c1, c2
 
   /// density kg/m^3, sound speed m/s, length m, compression = max(-D, 0) 1/s.

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "core/materials/entry.h"
-#include "core/materials/lane_math.h"
 #include "core/materials/parameters.h"
 #include "core/materials/strength/flow.h"
+#include "core/materials/strength/nearby.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,6 +25,7 @@ struct JohnsonCook
   double c, inverse_rate;   ///< -, s
   double m;
   double reference, inverse_range; ///< K, 1/K
+  PowerSeries hardening_series, thermal_series;
 
   static JohnsonCook from(const Parameters &p)
   {
@@ -43,7 +44,9 @@ struct JohnsonCook
     if (melt <= j.reference)
       reject("Thermal/melt temperature", "is not above the reference temperature",
              "a higher temperature");
-    j.inverse_range = 1 / (melt - j.reference);
+    j.inverse_range    = 1 / (melt - j.reference);
+    j.hardening_series = PowerSeries(j.n);
+    j.thermal_series   = PowerSeries(j.m);
     return j;
   }
 
@@ -61,7 +64,8 @@ struct JohnsonCook
   double stress(double plastic_strain, double rate, double temperature) const
   {
     const double relative = rate * inverse_rate;
-    return cold(plastic_strain, temperature) * (relative > 1 ? 1 + c * std::log(relative) : 1);
+    Functions<double> f(*this);
+    return cold(plastic_strain, temperature, f) * (relative > 1 ? 1 + c * std::log(relative) : 1);
   }
 
   /// Solves q - 3 G x = Y(eps + x, x/dt, T + heating (q - 3 G x) x) by Newton,
@@ -70,8 +74,9 @@ struct JohnsonCook
   template <class T>
   Flow<T> flow(const Trial<T> &t) const
   {
-    const T    start  = cold(t.plastic_strain, t.temperature);
-    const auto yields = t.stress > start;
+    Functions<T> f(*this);
+    const T      start  = cold(t.plastic_strain, t.temperature, f);
+    const auto   yields = t.stress > start;
     if (!any(yields))
       return {T(0), T(0)};
     T lo(0), hi = t.stress / T(t.three_g);
@@ -80,16 +85,20 @@ struct JohnsonCook
     auto open = yields;
     for (int i = 0; i < max_iterations && any(open); ++i)
       {
-        const Residual<T> r     = residual(t, x);
+        const Residual<T> r     = residual(t, x, open, f);
         const auto        below = r.value >= T(0);
         lo         = select(open && below, x, lo);
         hi         = select(open && !below, x, hi);
         using std::abs;
         open       = open && !(abs(r.value) <= T(tolerance) * t.stress || hi - lo <= T(tolerance) * hi);
-        const T newton = x - r.value / r.slope;
+        const T step   = r.value / r.slope;
+        const T newton = x - step;
         // With lo = 0 the root may be many decades down: x^n with small n.
         const T inside = select(lo > T(0), T(.5) * (lo + hi), T(1e-3) * hi);
-        x = select(open, select(newton > lo && newton < hi, newton, inside), x);
+        const auto held = newton > lo && newton < hi;
+        x = select(open, select(held, newton, inside), x);
+        // What is left after a step is about (step/x)^2 x for powers and logarithms.
+        open = open && !(held && abs(step) <= T(last_step) * x);
       }
     x = select(yields, x, T(0));
     return {x, (t.stress - T(t.three_g) * x) * x};
@@ -97,7 +106,19 @@ struct JohnsonCook
 
 private:
   static constexpr int    max_iterations = 100;
-  static constexpr double tolerance      = 1e-12;
+  static constexpr double tolerance = 1e-12, last_step = 5e-7;
+
+  template <class T>
+  struct Functions
+  {
+    NearbyPower<T> hardening, thermal;
+    NearbyLog<T>   rate;
+
+    explicit Functions(const JohnsonCook &law)
+      : hardening(law.hardening_series)
+      , thermal(law.thermal_series)
+    {}
+  };
 
   template <class T>
   struct Residual
@@ -120,18 +141,19 @@ private:
 
   /// The yield stress below the reference rate.
   template <class T>
-  T cold(const T &plastic_strain, const T &temperature) const
+  T cold(const T &plastic_strain, const T &temperature, Functions<T> &f) const
   {
-    const T t_star = homologous(temperature);
-    const T hard   = select(plastic_strain > T(0), T(b) * lane_power(plastic_strain, n), T(0));
-    return (T(a) + hard) * (T(1) - select(t_star > T(0), lane_power(t_star, m), T(0)));
+    const T    t_star = homologous(temperature);
+    const auto strained = plastic_strain > T(0), warm = t_star > T(0);
+    const T    hard     = select(strained, T(b) * f.hardening(plastic_strain, strained), T(0));
+    return (T(a) + hard) * (T(1) - select(warm, f.thermal(t_star, warm), T(0)));
   }
 
-  template <class T>
-  Residual<T> residual(const Trial<T> &t, const T &x) const
+  template <class T, class Mask>
+  Residual<T> residual(const Trial<T> &t, const T &x, const Mask &open, Functions<T> &f) const
   {
     const T strain = t.plastic_strain + x;
-    const T power  = T(b) * lane_power(strain, n);
+    const T power  = T(b) * f.hardening(strain, open);
     const T h = T(a) + power, dh = T(n) * power / strain;
 
     T r(1), dr(0);
@@ -139,14 +161,14 @@ private:
       {
         const T    relative = x * T(inverse_rate / t.dt);
         const auto fast     = relative > T(1);
-        r                   = select(fast, T(1) + T(c) * lane_log(relative), T(1));
+        r                   = select(fast, T(1) + T(c) * f.rate(relative, open && fast), T(1));
         dr                  = select(fast, T(c) / x, T(0));
       }
 
     const T    q      = t.stress - T(t.three_g) * x;
     const T    t_star = homologous(t.temperature + t.heating * q * x);
     const auto warm   = t_star > T(0);
-    const T    heat   = select(warm, lane_power(t_star, m), T(0));
+    const T    heat   = select(warm, f.thermal(t_star, open && warm), T(0));
     const T    w      = T(1) - heat;
     const T    dw     = select(warm && t_star < T(1),
                                T(-m * inverse_range) * heat / t_star * t.heating * (q - T(t.three_g) * x), T(0));

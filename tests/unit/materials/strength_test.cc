@@ -120,6 +120,28 @@ TEST(Strength, LogarithmAndExponentialOfRegistersMatchTheLibrary)
       ASSERT_NEAR(lane_power(VDouble(x), n)[0], std::pow(x, n), 4e-15 * std::pow(x, n));
 }
 
+// Small steps go by series from an anchor, large ones anew; the lanes run at
+// different paces, so that each has anchors of its own.
+TEST(Strength, NearbyPowerAndLogMatchTheLibrary)
+{
+  const VMask all = VDouble(0.) == VDouble(0.);
+  for (const double n : {.12, .31, .55, 1.09, 1.34})
+    {
+      const PowerSeries    series(n);
+      NearbyPower<VDouble> power(series);
+      NearbyLog<VDouble>   log;
+      for (VDouble x = 3e-5; x[0] < 4; x *= VDouble([](auto lane) { return 1.0049 - .0011 * lane; }))
+        {
+          const VDouble p = power(x, all), l = log(x, all);
+          for (int k = 0; k < simd_width; ++k)
+            {
+              ASSERT_NEAR(p[k], std::pow(x[k], n), 2e-14 * std::pow(x[k], n));
+              ASSERT_NEAR(l[k], std::log(x[k]), 1e-14 * (1 + std::abs(std::log(x[k]))));
+            }
+        }
+    }
+}
+
 // A register of points of different fates (elastic, barely yielding, far out,
 // molten) returns each as if it were alone, whatever its neighbours do.
 TEST(Strength, JohnsonCookReturnsARegisterAsItReturnsEachPoint)
