@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ogive::coupling
 {
@@ -31,6 +32,30 @@ double BlakeCavity::displacement(double r, double t) const
   return -p.f / (r * r) - p.slope / (speed() * r);
 }
 
+// The equation of f, integrated once, gives the integral of f.
+double BlakeCavity::displacement_integral(double r, double t) const
+{
+  const double tau = t - (r - radius) / speed();
+  if (tau <= 0)
+    return 0;
+  const Potential p  = at(r, t);
+  const double    b2 = 4 * shear / (density * radius * radius), d = 2 * shear / (density * speed() * radius);
+  const double    integral = (-pressure * radius / density * tau - p.slope - 2 * d * p.f) / b2;
+  return -integral / (r * r) - p.f / (speed() * r);
+}
+
+double BlakeCavity::displacement(double r, double t, const input::History &history) const
+{
+  double u = history.at(0) * displacement(r, t);
+  for (std::size_t k = 1; k < history.time.size(); ++k)
+  {
+    const double begin = std::max(0., history.time[k - 1]), end = std::max(0., history.time[k]);
+    const double slope = (history.factor[k] - history.factor[k - 1]) / (history.time[k] - history.time[k - 1]);
+    u += slope * (displacement_integral(r, t - begin) - displacement_integral(r, t - end));
+  }
+  return u;
+}
+
 double BlakeCavity::radial_stress(double r, double t) const
 {
   const Potential p = at(r, t);
@@ -45,7 +70,13 @@ double BlakeCavity::hoop_stress(double r, double t) const
 
 namespace
 {
-BlakeCavity cavity_of(const input::Observer &o, const input::Scene &scene)
+struct Loaded
+{
+  BlakeCavity    cavity;
+  input::History history;
+};
+
+Loaded cavity_of(const input::Observer &o, const input::Scene &scene)
 {
   const auto refuse = [&](const std::string &wrong, const std::string &expected) {
     throw InputError({"", 0, "Observers/" + o.name + "/body"}, wrong, expected);
@@ -57,20 +88,29 @@ BlakeCavity cavity_of(const input::Observer &o, const input::Scene &scene)
                                      [&](const auto &m) { return m.name == body->material; });
   if (material == scene.materials.end() || material->strength.law != "elastic" || material->eos.law != "linear")
     refuse("the material is not linear elastic", "EOS law \"linear\" and strength law \"elastic\"");
-  double pressure = 0;
+  const input::Boundary *inside = nullptr;
   for (const auto &b : scene.boundaries)
     if (b.body == o.body && b.face == "inner" && b.kind == input::BoundaryKind::pressure)
-      pressure += b.pressure;
-  if (!(pressure > 0))
+    {
+      if (inside)
+        refuse("two pressures act inside", "one boundary of the body with face = inner and kind = pressure");
+      inside = &b;
+    }
+  if (!inside)
     refuse("no pressure acts inside", "a boundary of the body with face = inner and kind = pressure");
   const double shear = material->shear_modulus;
-  return {body->shape.inner_radius, pressure, material->density, material->eos.bulk_modulus - 2. / 3 * shear, shear};
+  return {{body->shape.inner_radius, inside->pressure, material->density,
+           material->eos.bulk_modulus - 2. / 3 * shear, shear},
+          inside->history};
 }
 } // namespace
 
 CavityError::CavityError(const input::Observer &o, const input::Scene &scene)
-    : BodyObserver(o, scene), cavity_(cavity_of(o, scene)), centre_(scene.bodies.at(body()).shape.base)
+    : BodyObserver(o, scene), centre_(scene.bodies.at(body()).shape.base)
 {
+  Loaded loaded = cavity_of(o, scene);
+  cavity_       = loaded.cavity;
+  history_      = std::move(loaded.history);
 }
 
 double CavityError::measure(const Sample &s, double time)
@@ -82,7 +122,7 @@ double CavityError::measure(const Sample &s, double time)
     const double r    = from.norm();
     if (r >= parameter())
       continue;
-    const Vec3 exact = cavity_.displacement(std::max(r, cavity_.radius), time) / r * from;
+    const Vec3 exact = cavity_.displacement(std::max(r, cavity_.radius), time, history_) / r * from;
     wrong += s.mass[i] * (at(s.x, i) - at(s.x0, i) - exact).squaredNorm();
     whole += s.mass[i] * exact.squaredNorm();
   }

@@ -12,12 +12,14 @@ namespace ogive::coupling
 /// b^2 = 4 G/(rho a^2) and d = 2 G/(rho c a).
 struct BlakeCavity
 {
-  double radius, pressure;       ///< m, Pa
-  double density, lambda, shear; ///< kg/m^3, Pa, Pa
+  double radius = 0, pressure = 0;            ///< m, Pa
+  double density = 0, lambda = 0, shear = 0; ///< kg/m^3, Pa, Pa
 
   double speed() const; ///< of longitudinal waves, m/s
   /// Outward displacement at the place that began at r, m.
   double displacement(double r, double t) const;
+  /// The same for the pressure times a history, by superposition.
+  double displacement(double r, double t, const input::History &) const;
   double radial_stress(double r, double t) const; ///< Pa, tension positive
   double hoop_stress(double r, double t) const;   ///< Pa
 
@@ -27,11 +29,13 @@ private:
     double f, slope, curvature; ///< m^3, m^3/s, m^3/s^2
   };
   Potential at(double r, double t) const;
+  double    displacement_integral(double r, double t) const; ///< over time from 0 on, m s
 };
 
 /// Root mean square distance of the displacement from that of Blake's cavity,
 /// over its root mean square, by mass, of the nodes that began closer to the
-/// centre than the parameter. A linear elastic shell under one pressure inside.
+/// centre than the parameter. A linear elastic shell under one pressure inside,
+/// with or without a history.
 class CavityError : public BodyObserver
 {
 public:
@@ -41,7 +45,8 @@ protected:
   double measure(const Sample &, double time) override;
 
 private:
-  BlakeCavity cavity_;
-  Vec3        centre_;
+  BlakeCavity    cavity_;
+  input::History history_;
+  Vec3           centre_;
 };
 } // namespace ogive::coupling

@@ -38,5 +38,20 @@ TEST(Cavity, MovesByItsOwnStress)
                        2 * (cavity.radial_stress(r, t) - cavity.hoop_stress(r, t)) / r;
   EXPECT_NEAR(force / (cavity.density * acceleration), 1, 1e-3);
 }
+
+// A linear rise of .1 us is nearly a step at its middle; a long one is the sum of
+// a thousand small steps.
+TEST(Cavity, HistoriesAreSuperposed)
+{
+  const double r = .3, t = 120e-6;
+  EXPECT_NEAR(cavity.displacement(r, t, {}) / cavity.displacement(r, t), 1, 1e-15);
+  EXPECT_NEAR(cavity.displacement(r, t, {{0, 1e-7}, {0, 1}}) / cavity.displacement(r, t - .5e-7), 1, 1e-5);
+  double    sum = 0;
+  const int n   = 1000;
+  for (int k = 0; k < n; ++k)
+    sum += .7 / n * cavity.displacement(r, t - 50e-6 * (k + .5) / n);
+  sum += .3 * cavity.displacement(r, t);
+  EXPECT_NEAR(cavity.displacement(r, t, {{0, 50e-6}, {.3, 1}}) / sum, 1, 1e-5);
+}
 } // namespace
 } // namespace ogive::coupling
