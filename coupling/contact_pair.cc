@@ -13,7 +13,7 @@ constexpr double skin_share = .25;
 // Depth, in facets, at which a contact is given up.
 constexpr double deepest = 2;
 // A node stands for half a facet to either side, so a face carries nodes that
-// are up to half a facet past its rim, the less the farther.
+// are up to half a facet (the finest of the body) past its rim, the less the farther.
 constexpr double rim_share = .5;
 
 template <int dim>
@@ -57,12 +57,16 @@ void ContactPair<dim>::measure(const Faces<dim> &faces, const std::vector<int> &
     const auto &surface = faces[other_party_];
     const auto  facets  = true_facets(surface, other_body_, symmetry_axes);
     Box<dim>    box;
+    double      finest = std::numeric_limits<double>::infinity();
     for (const auto &facet : facets)
     {
-      size_ += facet_size(surface, facet) / static_cast<double>(facets.size());
+      const double edge = facet_size(surface, facet);
+      finest            = std::min(finest, edge);
+      size_ += edge / static_cast<double>(facets.size());
       for (const std::uint32_t i : facet.node)
         box.include(faces.position(other_party_, i));
     }
+    rim_ = dim > 1 && point_party_ == mesh_party && !facets.empty() ? rim_share * finest : 0;
     // In one dimension a facet has no edge: the body's length serves. One end
     // alone (the other tied or on a symmetry plane) has nothing behind it.
     if (dim == 1)
@@ -72,7 +76,6 @@ void ContactPair<dim>::measure(const Faces<dim> &faces, const std::vector<int> &
     size_ = std::max(size_, point_size);
   max_depth_    = deepest * size_;
   half_spacing_ = .5 * (point_size > 0 ? std::min(point_size, size_) : size_);
-  rim_          = dim > 1 && point_party_ == mesh_party && other_party_ == mesh_party ? rim_share * size_ : 0;
   // Nothing to measure by: a lone end point, met by nodes. It has one side.
   if (!std::isfinite(half_spacing_))
     half_spacing_ = 0;

@@ -30,6 +30,9 @@ Balance some_balance(double scale)
   b.wall_loss           = 1.5 * scale;
   b.friction_heat       = .75 * scale;
   b.absorbed            = 4 * scale;
+  b.eroded_energy       = 21 * scale;
+  b.eroded_mass         = .5 * scale;
+  b.eroded_momentum     = scale * Vec3(0, 0, 2);
   return b;
 }
 } // namespace
@@ -42,13 +45,15 @@ TEST(Ledger, AddsUpWhatItSays)
   c.contact_loss    = 1000; // memo
   c.interface_work  = 2000; // memo
   c.conversion_heat = 40;
+  c.contact_eroded  = 3;
   const LedgerRow row = ledger_row(some_balance(2), some_balance(5), c);
-  // 7 (101 + 13 + 29 + 3 + 2 + .5 + .25 + 1.5 + .75 + 4) + 6 + 9 + 40
-  EXPECT_NEAR(row.total, 7 * 155. + 55, 1e-12 * row.total);
+  // 7 (101 + 13 + 29 + 3 + 2 + .5 + .25 + 1.5 + .75 + 4 + 21) + 6 + 9 + 40 + 3
+  EXPECT_NEAR(row.total, 7 * 176. + 58, 1e-12 * row.total);
   EXPECT_DOUBLE_EQ(row.friction, 7 * .75 + 9);
   EXPECT_DOUBLE_EQ(row.thermal, 7 * 26.);
-  EXPECT_DOUBLE_EQ(row.momentum[2], 35);
-  EXPECT_DOUBLE_EQ(row.mass, 21);
+  EXPECT_DOUBLE_EQ(row.momentum[2], 49);
+  EXPECT_DOUBLE_EQ(row.mass, 24.5);
+  EXPECT_DOUBLE_EQ(row.eroded_mass, 3.5);
 }
 
 TEST(Ledger, ColumnsAreDistinctAndMatchTheValues)

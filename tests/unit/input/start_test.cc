@@ -173,6 +173,32 @@ TEST(StartStates, DensityAndJitterAreReadAndReadBack)
   EXPECT_NE(complaint(gas("uniaxial", body + "set jitter = 0.5\n")).find("jitter"), std::string::npos);
 }
 
+// Elements die where they are asked to, and where nothing else holds on to them.
+TEST(Erosion, IsReadReadBackAndRefused)
+{
+  const std::string eroding = "set method = fem\n    set erosion = failure\n";
+  const auto        with    = [&](const std::string &more) {
+    return testing::replaced(testing::base_scene, "set method = fem\n", eroding + more);
+  };
+  const Scene s = read_scene(write_file("a.prm", with("set erosion strain = 0.3\nset erosion step = 2 ns\n")));
+  EXPECT_TRUE(s.bodies[0].erosion.on);
+  EXPECT_EQ(s.bodies[0].erosion.strain, .3);
+  EXPECT_EQ(s.bodies[0].erosion.step, 2e-9);
+  EXPECT_FALSE(s.bodies[1].erosion.on);
+  const std::string resolved = write_resolved(s);
+  EXPECT_EQ(write_resolved(read_scene(write_file("resolved.prm", resolved))), resolved);
+
+  EXPECT_NE(complaint(with("")).find("never fails"), std::string::npos);
+  EXPECT_NE(complaint(with("set erosion strain = -1\n")).find("erosion strain"), std::string::npos);
+  const auto particles =
+    testing::replaced(testing::base_scene, "set method = sph\n", "set method = sph\n    set erosion = failure\n");
+  EXPECT_NE(complaint(particles).find("erosion"), std::string::npos);
+  EXPECT_NE(complaint(testing::replaced(testing::base_scene, "set spacing far = 9 mm\n",
+                                        "set spacing far = 9 mm\n    set erosion = failure\n    set erosion strain = 1\n"))
+              .find("ties particles"),
+            std::string::npos);
+}
+
 // A pressure is enough to set things going.
 TEST(StartStates, MoveThings)
 {

@@ -52,7 +52,8 @@ TEST_F(SummaryFile, HasTheEntriesThatScriptsRelyOn)
   EXPECT_EQ(all["limiter"]["body"], "bar");
   EXPECT_EQ(all["checks"]["mass_drift"], 1e-17);
   EXPECT_TRUE(all["checks"].contains("hourglass_fraction"));
-  EXPECT_TRUE(all["checks"].contains("gradient_fallbacks"));
+  for (const char *name : {"gradient_fallbacks", "eroded_elements", "eroded_mass_share"})
+    EXPECT_TRUE(all["checks"].contains(name)) << name;
 }
 
 TEST_F(SummaryFile, ComparesWithTheReference)
