@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fem/coarsen.h"
 
+#include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold_lib.h>
 
 #include <Eigen/Geometry>
@@ -131,7 +132,9 @@ std::vector<std::string> make_coarsened(const input::Body &body, const input::Sc
   const int   levels         = static_cast<int>(body.coarsen);
   input::Body coarse         = body;
   coarse.spacing             = std::ldexp(body.spacing, levels);
-  const ShapeMesh<dim> shape = mesh_shape<dim>(coarse, scene);
+  ShapeMesh<dim> shape = mesh_shape<dim>(coarse, scene);
+  // Neighbours must agree about the direction of an edge before it can be parted.
+  dealii::GridTools::consistently_order_cells(shape.raw.cells);
   triangulation.create_triangulation(shape.raw.vertices, shape.raw.cells, dealii::SubCellData());
   const std::vector<std::string> names = number_boundaries(shape, triangulation);
   set_manifold(body, scene, names, triangulation);
