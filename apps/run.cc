@@ -44,6 +44,8 @@ void print_checks(const io::Summary &summary)
   if (std::isfinite(c.angular_momentum_drift)) // only free bodies have one
     std::printf(", angular momentum %.2e", c.angular_momentum_drift);
   std::printf("; hourglass/internal %.2e\n", c.hourglass_fraction);
+  for (const auto &[body, share] : c.added_mass_fraction)
+    std::printf("  mass scaling added %.3g %% to the mass of \"%s\"\n", 100 * share, body.c_str());
   if (c.gradient_fallbacks > 0)
     std::printf("  gradients of up to %.0f particles at once fell back to the uncorrected form\n", c.gradient_fallbacks);
   std::printf("  %lld steps to %.6g s, %lld particles, %lld elements, %.1f s wall, %.1f s in the solvers\n",

@@ -8,6 +8,7 @@
 #include "core/io/summary.h"
 
 #include <functional>
+#include <map>
 #include <string>
 
 namespace ogive::coupling
@@ -41,6 +42,7 @@ struct Plan
   double      seconds_per_step = 0;
   double      memory_bytes     = 0; ///< of the process, with the model built
   double      mass             = 0; ///< kg, of the modelled part
+  std::map<std::string, double> added_mass_fraction; ///< by mass scaling, of bodies that got any
 };
 Plan plan_scene(const input::Scene &);
 } // namespace ogive::coupling

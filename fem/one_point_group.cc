@@ -100,6 +100,20 @@ void OnePointGroup<Element>::find_rows()
 template <class Element>
 void OnePointGroup<Element>::initialise(const Nodes<dim> &nodes)
 {
+  if (options_.mass_scaling_step > 0)
+  {
+    inertia_ = mass_;
+    scaling_ = 2 / options_.mass_scaling_step;
+    start(nodes);
+    scaling_ = 0;
+    limit_   = {0., 0.};
+  }
+  start(nodes);
+}
+
+template <class Element>
+void OnePointGroup<Element>::start(const Nodes<dim> &nodes)
+{
   Corners still;
   for (auto &corner : still)
     std::fill(std::begin(corner), std::end(corner), VDouble(0.));
@@ -307,7 +321,7 @@ Gram<Element, VDouble> OnePointGroup<Element>::inverse_mass_gram(std::size_t pac
   }
   else
   {
-    const VDouble weight = double(corners) / load(&mass_[pack * width]);
+    const VDouble weight = double(corners) / load(&(inertia_.empty() ? mass_ : inertia_)[pack * width]);
     return {unit.largest * weight, unit.divergence * weight, unit.trace * weight};
   }
 }
@@ -397,6 +411,8 @@ void OnePointGroup<Element>::stress(std::size_t pack, const Shape &shape, const 
     for (int i = 0; i < dim; ++i, f += width)
       store(force[a][i], f);
 
+  if (scaling_ > 0)
+    scale_mass(pack, damping, frequency2);
   const VDouble bound   = .5 * damping + stdx::sqrt(.25 * damping * damping + frequency2);
   const double  largest = stdx::hmax(bound);
   if (largest > limit_[0])

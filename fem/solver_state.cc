@@ -164,6 +164,12 @@ void Solver<dim>::add_mass(std::uint32_t node, double mass)
 }
 
 template <int dim>
+auto Solver<dim>::added_masses() const -> std::vector<AddedMass>
+{
+  return self_->added_masses;
+}
+
+template <int dim>
 double Solver<dim>::wall_force(std::size_t w) const
 {
   return self_->walls.force(w);

@@ -38,12 +38,15 @@ Json to_json(const std::vector<Summary::Quantity> &quantities)
 
 Json to_json(const Summary::Checks &c)
 {
-  return {{"mass_drift", number(c.mass_drift)},
+  Json checks = {{"mass_drift", number(c.mass_drift)},
           {"momentum_drift", number(c.momentum_drift)},
           {"angular_momentum_drift", number(c.angular_momentum_drift)},
           {"energy_drift", number(c.energy_drift)},
           {"hourglass_fraction", number(c.hourglass_fraction)},
           {"gradient_fallbacks", number(c.gradient_fallbacks)}};
+  if (!c.added_mass_fraction.empty())
+    checks["added_mass_fraction"] = c.added_mass_fraction;
+  return checks;
 }
 
 Json to_json(const std::optional<Summary::Limiter> &l)

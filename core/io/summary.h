@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,6 +34,7 @@ struct Summary
     double mass_drift = 0, momentum_drift = 0, angular_momentum_drift = 0, energy_drift = 0;
     double hourglass_fraction = 0; ///< of the internal energy
     double gradient_fallbacks = 0; ///< most particles at once whose gradient was not corrected
+    std::map<std::string, double> added_mass_fraction; ///< by mass scaling, of bodies that got any
   };
 
   /// Who set the step most often.
