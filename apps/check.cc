@@ -61,6 +61,10 @@ void check(const SceneArguments &a)
                 c.friction);
   std::printf("  counts     %zu particles, %zu elements, %.6g kg\n", plan.particles, plan.elements, plan.mass);
 
+  for (const auto &[body, share] : plan.added_mass_fraction)
+    std::printf("  added mass %-16s %.3g %% by mass scaling%s\n", body.c_str(), 100 * share,
+                share > .05 ? ": more than 5 % moves results" : "");
+
   std::vector<std::string> bodies;
   for (const input::Body &body : scene.bodies)
     bodies.push_back(body.name);

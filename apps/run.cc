@@ -46,6 +46,8 @@ void print_checks(const io::Summary &summary)
   std::printf("; hourglass/internal %.2e\n", c.hourglass_fraction);
   if (c.eroded_elements > 0)
     std::printf("  %.0f elements died, with %.3g %% of the mass\n", c.eroded_elements, 100 * c.eroded_mass_share);
+  for (const auto &[body, share] : c.added_mass_fraction)
+    std::printf("  mass scaling added %.3g %% to the mass of \"%s\"\n", 100 * share, body.c_str());
   if (c.gradient_fallbacks > 0)
     std::printf("  gradients of up to %.0f particles at once fell back to the uncorrected form\n", c.gradient_fallbacks);
   std::printf("  %lld steps to %.6g s, %lld particles, %lld elements, %.1f s wall, %.1f s in the solvers\n",

@@ -47,6 +47,10 @@ public:
 
   const std::vector<InitialOverlap> &initial_overlaps() const { return coupler_->initial_overlaps(); }
   std::vector<fem::TieReport>        ties() const; ///< of bodies of elements
+  std::vector<typename fem::Solver<dim>::AddedMass> added_masses() const
+  {
+    return fem_ ? fem_->added_masses() : std::vector<typename fem::Solver<dim>::AddedMass>{};
+  }
   std::int64_t                       lost_contacts() const { return coupler_->lost_contacts(); }
 
   std::size_t   particles() const { return sph_ ? sph_->size() : 0; }

@@ -31,6 +31,16 @@ StepControl step_control(const input::Scene &scene)
   return control;
 }
 
+/// By mass scaling, by the name of the body.
+template <int dim>
+std::map<std::string, double> added_mass(const input::Scene &scene, const Model<dim> &model)
+{
+  std::map<std::string, double> all;
+  for (const auto &added : model.added_masses())
+    all[scene.bodies[static_cast<std::size_t>(added.body)].name] = added.fraction;
+  return all;
+}
+
 template <int dim>
 class Run
 {
@@ -61,6 +71,10 @@ public:
     if (const double bare = model_.ledger().gradient_fallbacks; bare > 0)
       log_.warn(std::to_string(static_cast<int>(bare)) + " particles begin without a corrected gradient: a body, or a " +
                 "part of one, is a single particle thick there; its elastic energy is not to be trusted. Take a smaller spacing");
+    for (const auto &[body, share] : added_mass<dim>(scene_, model_))
+      if (share > .05)
+        log_.warn("mass scaling adds " + engineering(100 * share) + " % to the mass of \"" + body +
+                  "\": more than 5 % moves results; take a shorter FEM/mass scaling step");
     history_due_.due(clock_);
     fields_due_.due(clock_);
     checkpoint_due_.due(clock_);
@@ -237,6 +251,7 @@ io::Summary Run<dim>::finish()
                                      "is in contact_loss; a finer step or equal spacings of the two bodies may help");
 
   io::Summary summary                  = report_.summary();
+  summary.checks.added_mass_fraction   = added_mass<dim>(scene_, model_);
   summary.version                      = labels_.version;
   summary.commit                       = labels_.commit;
   summary.wall_s                       = seconds();
@@ -264,6 +279,7 @@ Plan make_plan(const input::Scene &scene)
   plan.steps     = std::ceil(scene.end_time / plan.limit.dt);
   plan.mass      = model.ledger().mass;
   plan.ties      = model.ties();
+  plan.added_mass_fraction = added_mass<dim>(scene, model);
 
   Clock          clock(scene.end_time, step_control(scene));
   constexpr int  trials = 5;

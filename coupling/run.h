@@ -9,6 +9,7 @@
 #include "fem/solver.h"
 
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,7 @@ struct Plan
   double      memory_bytes     = 0; ///< of the process, with the model built
   double      mass             = 0; ///< kg, of the modelled part
   std::vector<fem::TieReport> ties;  ///< of bodies of elements
+  std::map<std::string, double> added_mass_fraction; ///< by mass scaling, of bodies that got any
 };
 Plan plan_scene(const input::Scene &);
 } // namespace ogive::coupling

@@ -5,6 +5,7 @@
 #include "core/base/culprit.h"
 #include "core/base/error.h"
 #include "core/base/sample.h"
+#include "core/base/simd.h"
 #include "core/input/scene.h"
 #include "core/time/time_step.h"
 #include "fem/mesh.h"
@@ -18,6 +19,14 @@
 
 namespace ogive::fem
 {
+/// Factor by which the mass of elements must grow for the step of the bound
+/// dt = 2/(D/2 + sqrt(D^2/4 + w^2)) to be 2/s: both D and w^2 go with 1/mass.
+template <class T>
+T mass_factor(const T &damping, const T &frequency2, double s)
+{
+  return stdx::max(T((frequency2 + s * damping) * (1. / (s * s))), T(1.));
+}
+
 /// Where a group's elements stand among all of the solver.
 struct GroupPlace
 {
@@ -51,10 +60,12 @@ public:
   /// arrays of tangent(); component d follows d * simd_width entries later.
   virtual void for_each_node(const NodeVisitor &) const = 0;
 
-  /// Adds the lumped mass of the elements to the nodes, kg.
+  /// Adds the lumped mass of the elements to the nodes, kg; after initialise().
   virtual void lump_mass(Nodes<dim> &) const = 0;
-  /// Shape, zero forces and step bound of the undeformed state at nodes.x.
+  /// Shape, zero forces, masses and step bound of the undeformed state at nodes.x.
   virtual void initialise(const Nodes<dim> &) = 0;
+  /// Mass that was added for the sake of the step, kg; known after initialise().
+  virtual double added_mass() const = 0;
   /// Takes the step of the elements: internal energy with the forces of t_n,
   /// then strain, stress and forces at x(t_{n+1}).
   virtual StepStatus advance(const Nodes<dim> &, const TimeStep &) = 0;

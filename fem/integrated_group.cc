@@ -74,6 +74,19 @@ IntegratedGroup<Element>::IntegratedGroup(const BodyMesh<dim> &mesh, const Group
 template <class Element>
 void IntegratedGroup<Element>::initialise(const Nodes<dim> &nodes)
 {
+  if (options_.mass_scaling_step > 0)
+  {
+    scaling_ = 2 / options_.mass_scaling_step;
+    start(nodes);
+    scaling_ = 0;
+    limit_   = {0., 0.};
+  }
+  start(nodes);
+}
+
+template <class Element>
+void IntegratedGroup<Element>::start(const Nodes<dim> &nodes)
+{
   for (std::size_t pack = 0; pack < padded_n_ / width; ++pack)
   {
     Field x;
@@ -332,6 +345,8 @@ void IntegratedGroup<Element>::viscosity(std::size_t pack, const Field &x, const
 template <class Element>
 void IntegratedGroup<Element>::limit_by(std::size_t pack, VDouble damping, VDouble frequency2)
 {
+  if (scaling_ > 0)
+    scale_mass(pack, damping, frequency2);
   const VDouble bound   = .5 * damping + stdx::sqrt(.25 * damping * damping + frequency2);
   const double  largest = stdx::hmax(bound);
   if (largest > limit_[0])

@@ -32,6 +32,7 @@ public:
 
   void       lump_mass(Nodes<dim> &) const override;
   void       initialise(const Nodes<dim> &) override;
+  double     added_mass() const override { return added_mass_; }
   StepStatus advance(const Nodes<dim> &, const TimeStep &) override;
   StepLimit  stable_dt() const override;
   void       tangent(const Nodes<dim> &, const std::array<AlignedVector<double>, dim> &u, AlignedVector<double> &stiff,
@@ -69,6 +70,8 @@ private:
   void    stress(std::size_t pack, const Field &x, const Pack &, double dt);
   void    viscosity(std::size_t pack, const Field &x, const Pack &, double dt, VDouble (&q)[points_of]);
   void    scatter(std::size_t pack);
+  void    start(const Nodes<dim> &);
+  void    scale_mass(std::size_t pack, VDouble damping, VDouble frequency2);
   void    limit_by(std::size_t pack, VDouble damping, VDouble frequency2);
   VDouble inverse_node_masses(std::size_t pack, VDouble (&inverse)[nodes_of]) const;
 
@@ -83,6 +86,7 @@ private:
   input::FemOptions                          options_;
   AnyBulkViscosity                           bulk_;
   double                                     shear_modulus_, line_ = 0;
+  double scaling_ = 0, added_mass_ = 0; ///< 2/dt (1/s) while masses are sought; kg
 
   std::vector<std::uint32_t> node_;             ///< packs of nodes
   AlignedVector<double>      node_mass_;        ///< kg, packs of nodes

@@ -81,6 +81,20 @@ void IntegratedGroup<Element>::lump_mass(Nodes<dim> &nodes) const
 }
 
 template <class Element>
+void IntegratedGroup<Element>::scale_mass(std::size_t pack, VDouble damping, VDouble frequency2)
+{
+  const VDouble factor = mass_factor(damping, frequency2, scaling_);
+  for (std::size_t e = pack * width; e < (pack + 1) * width; ++e)
+    for (int a = 0; a < nodes_of; ++a)
+    {
+      double &mass = node_mass_[slot(e, a, nodes_of)];
+      if (e < n_)
+        added_mass_ += mass * (factor[e % width] - 1);
+      mass *= factor[e % width];
+    }
+}
+
+template <class Element>
 StepStatus IntegratedGroup<Element>::fail(const Nodes<dim> &nodes, std::size_t e, const char *why) const
 {
   StepStatus status;

@@ -70,7 +70,7 @@ void OnePointGroup<Element>::pair_forces(std::size_t pack, const Corners &accele
   }
   else
   {
-    const VDouble mass = load(&mass_[pack * width]) * (1. / corners);
+    const VDouble mass = load(&(inertia_.empty() ? mass_ : inertia_)[pack * width]) * (1. / corners);
     for (int i = 0; i < dim; ++i)
     {
       VDouble mean[corners], next[corners];

@@ -36,7 +36,7 @@ auto OnePointGroup<Element>::kill(std::size_t e) -> Remains
 {
   Remains gone;
   for (int a = 0; a < corners; ++a)
-    gone.mass[a] = Element::hoop ? corner_mass_[slot(e, a, corners)] : mass_[e] / corners;
+    gone.mass[a] = Element::hoop ? corner_mass_[slot(e, a, corners)] : (inertia_.empty() ? mass_ : inertia_)[e] / corners;
   gone.internal_energy = mass_[e] * points_.energy[e] + hourglass_energy_[e];
 
   // The last pack is filled up with copies of the last element.
@@ -52,6 +52,8 @@ auto OnePointGroup<Element>::kill(std::size_t e) -> Remains
     for (int c = 0; c < modes * dim; ++c)
       Q_[slot(k, c, modes * dim)] = 0;
     mass_[k] = mass_[model_];
+    if (!inertia_.empty())
+      inertia_[k] = inertia_[model_];
     for (int a = 0; Element::hoop && a < corners; ++a)
       corner_mass_[slot(k, a, corners)] = corner_mass_[slot(model_, a, corners)];
     bury(k);

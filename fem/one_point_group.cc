@@ -22,87 +22,7 @@ struct OnePointGroup<Element>::Block
 };
 
 template <class Element>
-OnePointGroup<Element>::OnePointGroup(const BodyMesh<dim> &mesh, const GroupPlace &place,
-                                      const input::FemOptions &options)
-  : body_(mesh.body)
-  , n_(mesh.n_cells())
-  , padded_n_(padded(n_))
-  , first_element_(place.first_element)
-  , first_node_(place.first_node)
-  , material_(mesh.material)
-  , options_(options)
-  , bulk_(bulk_viscosity(options))
-  , viscous_hourglass_(options.hourglass == "viscous")
-  , corrected_(options.correction != "none")
-  , split_(options.shock_split != "none")
-  , shear_modulus_(mesh.material->shear_modulus())
-  // A fluid has no shear stiffness; a tenth of its bulk modulus resists the
-  // patterns without stiffening the volume response.
-  , hourglass_modulus_(shear_modulus_ > 0 ? shear_modulus_ : .1 * mesh.material->bulk_modulus())
-  , grave_(place.grave)
-  , by_step_(mesh.erosion.on && mesh.erosion.step > 0)
-{
-  require(n_ > 0, "a body without elements");
-  node_.resize(padded_n_ * corners);
-  for (auto *a : {&mass_, &viscous_pressure_, &half_hourglass_, &half_viscous_, &half_power_,
-                  &hourglass_energy_, &viscous_heat_})
-    a->resize(padded_n_, 0.);
-  corner_force_.resize(padded_n_ * corners * dim, 0.);
-  Q_.resize(padded_n_ * modes * dim, 0.);
-  if (by_step_)
-    bound_.resize(padded_n_, 0.);
-  corner_mass_.resize(Element::hoop ? padded_n_ * corners : 0);
-  points_.resize(padded_n_);
-  material_->initialise(points_, 0, padded_n_);
-  limit_ = {0., 0.};
-
-  for (std::size_t e = 0; e < padded_n_; ++e)
-  {
-    const std::size_t cell = std::min(e, n_ - 1);
-    double            x[corners][dim];
-    for (int a = 0; a < corners; ++a)
-    {
-      const std::uint32_t node   = mesh.cells[cell * corners + a];
-      node_[slot(e, a, corners)] = static_cast<std::uint32_t>(place.first_node + node);
-      for (int i = 0; i < dim; ++i)
-        x[a][i] = mesh.x[i][node];
-    }
-    Geometry<Element, double> g;
-    Element::gradient(x, g);
-    mass_[e] = material_->density() * g.volume;
-    if constexpr (Element::hoop)
-    {
-      double share[corners];
-      Element::corner_volumes(x, share);
-      for (int a = 0; a < corners; ++a)
-        corner_mass_[slot(e, a, corners)] = material_->density() * share[a];
-    }
-  }
-  for (auto &component : nodal_force_)
-    component.resize(mesh.n_nodes(), 0.);
-  for (auto *field : {&weak_force_, &weak_acceleration_})
-    for (auto &component : *field)
-      component.resize(corrected_ ? mesh.n_nodes() : 0, 0.);
-  weak_pressure_.resize(corrected_ ? padded_n_ : 0, 0.);
-  half_correction_.resize(corrected_ ? padded_n_ : 0, 0.);
-  find_rows();
-}
-
-template <class Element>
-void OnePointGroup<Element>::find_rows()
-{
-  row_.resize(node_.size() / width);
-  for (std::size_t k = 0; k < row_.size(); ++k)
-  {
-    row_[k] = node_[k * width];
-    for (std::size_t lane = 1; lane < width; ++lane)
-      if (node_[k * width + lane] != node_[k * width] + lane)
-        row_[k] = no_row;
-  }
-}
-
-template <class Element>
-void OnePointGroup<Element>::initialise(const Nodes<dim> &nodes)
+void OnePointGroup<Element>::start(const Nodes<dim> &nodes)
 {
   Corners still;
   for (auto &corner : still)
@@ -318,7 +238,7 @@ Gram<Element, VDouble> OnePointGroup<Element>::inverse_mass_gram(std::size_t pac
   }
   else
   {
-    const VDouble weight = double(corners) / load(&mass_[pack * width]);
+    const VDouble weight = double(corners) / load(&(inertia_.empty() ? mass_ : inertia_)[pack * width]);
     return {unit.largest * weight, unit.divergence * weight, unit.trace * weight};
   }
 }
@@ -410,6 +330,8 @@ void OnePointGroup<Element>::stress(std::size_t pack, const Shape &shape, const 
     for (int i = 0; i < dim; ++i, f += width)
       store(force[a][i], f);
 
+  if (scaling_ > 0)
+    scale_mass(pack, damping, frequency2);
   const VDouble bound   = .5 * damping + stdx::sqrt(.25 * damping * damping + frequency2);
   if (by_step_)
     store(bound, &bound_[e]);

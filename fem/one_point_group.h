@@ -28,6 +28,7 @@ public:
 
   void       lump_mass(Nodes<dim> &) const override;
   void       initialise(const Nodes<dim> &) override;
+  double     added_mass() const override { return added_mass_; }
   StepStatus advance(const Nodes<dim> &, const TimeStep &) override;
   StepLimit  stable_dt() const override;
   void       tangent(const Nodes<dim> &, const std::array<AlignedVector<double>, dim> &u, AlignedVector<double> &stiff,
@@ -81,6 +82,8 @@ private:
   Gram<Element, VDouble> inverse_mass_gram(std::size_t pack, const Shape &,
                                            const Gram<Element, VDouble> &unit) const;
 
+  void start(const Nodes<dim> &);
+  void scale_mass(std::size_t pack, VDouble damping, VDouble frequency2);
   void fetch(std::size_t begin, std::size_t count);
   /// Points the corners of e to its own nodes or to the grave.
   void bury(std::size_t e);
@@ -107,6 +110,8 @@ private:
   std::vector<std::uint32_t> row_;          ///< first node of a pack at a corner where the others follow it in memory
   AlignedVector<double>      mass_;         ///< kg
   AlignedVector<double>      corner_mass_;  ///< kg, packs of corners; axial symmetry only
+  AlignedVector<double>      inertia_;      ///< kg; empty where no mass is added
+  double                     scaling_ = 0, added_mass_ = 0; ///< 2/dt (1/s) while masses are sought; kg
 
   materials::Points     points_;
   AlignedVector<double>      corner_force_; ///< N at t_n, packs of corners x dim

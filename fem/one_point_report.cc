@@ -34,8 +34,23 @@ void OnePointGroup<Element>::lump_mass(Nodes<dim> &nodes) const
     for (int a = 0; a < corners; ++a)
     {
       const std::size_t k = slot(e, a, corners);
-      nodes.mass[node_[k]] += Element::hoop ? corner_mass_[k] : mass_[e] / corners;
+      nodes.mass[node_[k]] += Element::hoop ? corner_mass_[k] : (inertia_.empty() ? mass_ : inertia_)[e] / corners;
     }
+}
+
+template <class Element>
+void OnePointGroup<Element>::scale_mass(std::size_t pack, VDouble damping, VDouble frequency2)
+{
+  const VDouble factor = mass_factor(damping, frequency2, scaling_);
+  for (std::size_t e = pack * width; e < (pack + 1) * width; ++e)
+  {
+    inertia_[e] = mass_[e] * factor[e % width];
+    if (e < n_)
+      added_mass_ += inertia_[e] - mass_[e];
+    if constexpr (Element::hoop)
+      for (int a = 0; a < corners; ++a)
+        corner_mass_[slot(e, a, corners)] *= factor[e % width];
+  }
 }
 
 template <class Element>
@@ -172,6 +187,7 @@ void OnePointGroup<Element>::for_each_state(const Visitor &visit)
   {
     visit("alive", alive_);
     visit("element_mass", mass_);
+    visit("inertia", inertia_);
     visit("corner_mass", corner_mass_);
     visit("bound", bound_);
   }

@@ -62,8 +62,15 @@ void Solver<dim>::Implementation::build(std::vector<BodyMesh<dim>> meshes)
       }
     }
     groups.push_back(make_element_group<dim>(mesh, place[b], parameters.options));
-    groups.back()->lump_mass(nodes);
     groups.back()->initialise(nodes);
+    groups.back()->lump_mass(nodes);
+    if (const double added = groups.back()->added_mass(); added > 0)
+    {
+      double mass = 0;
+      for (std::size_t a = parts[b].first_node; a < parts[b].last_node; ++a)
+        mass += nodes.mass[a];
+      added_masses.push_back({mesh.body, added, added / (mass - added)});
+    }
     if (mesh.erosion.on)
       groups.back()->prepare_erosion(nodes);
   }

@@ -73,6 +73,15 @@ public:
   std::size_t   size() const;
   std::uint64_t updates() const;
 
+  /// Mass that bodies were given for the sake of the step (FEM/mass scaling
+  /// step): bodies with some, and the mass over what they had, before ties.
+  struct AddedMass
+  {
+    int    body;
+    double mass, fraction; ///< kg, -
+  };
+  std::vector<AddedMass> added_masses() const;
+
   /// The inertia of a tied particle joins the nodes that carry it. Once, before the first step.
   void add_mass(std::uint32_t node, double mass);
   /// Nodes of the element behind a facet, for the tied interface: shape

@@ -38,6 +38,7 @@ struct Solver<dim>::Implementation
   BoundaryWork                                    work;
   std::array<AlignedVector<double>, dim>          v_old, load; ///< m/s; N, pressures and body forces at t_n
   Surface<dim>                                    face;        ///< lists only; spans are set on demand
+  std::vector<AddedMass>                          added_masses; ///< in the order of groups
   std::uint64_t                                   updates = 0;
   CriticalStep<dim>                               critical;
   /// Critical step over the elements' bound when last looked at, and the steps

@@ -226,6 +226,12 @@ const std::vector<TieReport> &Solver<dim>::ties() const
 }
 
 template <int dim>
+auto Solver<dim>::added_masses() const -> std::vector<AddedMass>
+{
+  return self_->added_masses;
+}
+
+template <int dim>
 double Solver<dim>::wall_force(std::size_t w) const
 {
   return self_->walls.force(w);

@@ -70,6 +70,9 @@ void fem_fields(Fields &f, FemOptions &o)
            {"none", "compression"});
   f.number({"split compression", "L |div v|/c at which shock split = compression leaves all viscosity"},
            o.split_compression, bounds::positive);
+  f.quantity({"mass scaling step", "elements whose undeformed step bound is shorter get the mass, for inertia alone, "
+                                   "that lengthens it to this; 0: none"},
+             o.mass_scaling_step, units::time, bounds::not_negative);
   f.choice({"step bound", "whose bound: the worst element's, never unsafe, or that of the whole mesh by power "
                           "iteration every 20 steps"},
            o.step_bound, {"element", "power-iteration"});

@@ -38,7 +38,7 @@ Json to_json(const std::vector<Summary::Quantity> &quantities)
 
 Json to_json(const Summary::Checks &c)
 {
-  return {{"mass_drift", number(c.mass_drift)},
+  Json checks = {{"mass_drift", number(c.mass_drift)},
           {"momentum_drift", number(c.momentum_drift)},
           {"angular_momentum_drift", number(c.angular_momentum_drift)},
           {"energy_drift", number(c.energy_drift)},
@@ -46,6 +46,9 @@ Json to_json(const Summary::Checks &c)
           {"eroded_elements", number(c.eroded_elements)},
           {"eroded_mass_share", number(c.eroded_mass_share)},
           {"gradient_fallbacks", number(c.gradient_fallbacks)}};
+  if (!c.added_mass_fraction.empty())
+    checks["added_mass_fraction"] = c.added_mass_fraction;
+  return checks;
 }
 
 Json to_json(const std::optional<Summary::Limiter> &l)

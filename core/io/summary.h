@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,6 +35,7 @@ struct Summary
     double hourglass_fraction = 0; ///< of the internal energy
     double eroded_elements = 0, eroded_mass_share = 0;
     double gradient_fallbacks = 0; ///< most particles at once whose gradient was not corrected
+    std::map<std::string, double> added_mass_fraction; ///< by mass scaling, of bodies that got any
   };
 
   /// Who set the step most often.
