@@ -55,6 +55,8 @@ public:
   {
     history_.emplace(directory_.history(), report_.columns());
     fields_.emplace(directory_.path());
+    for (const std::string &note : model_.mesh_notes())
+      log_.warn(note);
     for (const InitialOverlap &o : model_.initial_overlaps())
       log_.warn("contact \"" + o.contact + "\": " + std::to_string(o.count) + " points overlap at the start, by up to " +
                 engineering(o.worst) + " m; their gap counts as zero until it opens");
@@ -263,6 +265,10 @@ Plan make_plan(const input::Scene &scene)
   plan.limit     = model.stable_dt();
   plan.steps     = std::ceil(scene.end_time / plan.limit.dt);
   plan.mass      = model.ledger().mass;
+  plan.meshes    = model.mesh_qualities(scene);
+  // an iteration costs about two steps, and it takes hundreds
+  if (constexpr std::size_t affordable = 20000; plan.elements > 0 && plan.elements <= affordable)
+    plan.critical = model.critical_dt();
 
   Clock          clock(scene.end_time, step_control(scene));
   constexpr int  trials = 5;

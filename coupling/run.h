@@ -6,9 +6,11 @@
 #include "core/io/hdf5_archive.h"
 #include "core/io/run_directory.h"
 #include "core/io/summary.h"
+#include "fem/mesh_quality.h"
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace ogive::coupling
 {
@@ -41,6 +43,9 @@ struct Plan
   double      seconds_per_step = 0;
   double      memory_bytes     = 0; ///< of the process, with the model built
   double      mass             = 0; ///< kg, of the modelled part
+
+  std::vector<fem::MeshQuality> meshes;   ///< one a body of elements
+  StepLimit                     critical; ///< of all meshes, by power iteration; infinite if not looked for
 };
 Plan plan_scene(const input::Scene &);
 } // namespace ogive::coupling

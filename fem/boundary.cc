@@ -31,7 +31,7 @@ void for_each_facet(const input::Boundary &boundary, const BodyMesh<dim> &mesh, 
 {
   bool found = false;
   for (const auto &facet : mesh.facets)
-    if (boundary.face == "all" || mesh.boundary_names[facet.boundary] == boundary.face)
+    if (mesh.is_called(facet.boundary, boundary.face))
     {
       found = true;
       f(facet);

@@ -17,8 +17,8 @@ void boundary_fields(Fields &f, Boundary &b)
 {
   f.text({"body", "the body whose face is held or loaded", Need::mandatory}, b.body, "the name of a body");
   f.text({"face",
-          "x-, x+, y-, y+, z-, z+ of a box; bottom, top, side, inner, outer of a round body; a boundary id of a mesh "
-          "file; all",
+          "x-, x+, y-, y+, z-, z+ of a box; bottom, top, side, inner, outer of a round body; a group of a mesh file "
+          "by name or number, or rest: what is in no group; all",
           Need::mandatory},
          b.face, "the name of a face");
   f.choice({"kind", "what is prescribed", Need::mandatory}, b.kind,
