@@ -6,7 +6,10 @@
 #include "core/input/reader.h"
 #include "coupling/run.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <limits>
 
 namespace ogive::apps
 {
@@ -25,6 +28,44 @@ const char *rung(input::Dimension d)
     default:
       return "3-D";
   }
+}
+std::string place(const fem::MeshQuality::Worst &w)
+{
+  return "element " + (w.number < 0 ? std::to_string(w.element) : std::to_string(w.number) + " of the file") + " at (" +
+         engineering(w.where[0]) + ", " + engineering(w.where[1]) + ", " + engineering(w.where[2]) + ") m";
+}
+
+void print_mesh(const fem::MeshQuality &q)
+{
+  std::string faces;
+  for (const auto &[name, n] : q.faces)
+    faces += (faces.empty() ? "" : ", ") + name + " " + std::to_string(n);
+  std::printf("  mesh       %-16s %zu elements, %zu nodes, edges %s to %s m\n", q.body.c_str(), q.elements, q.nodes,
+              engineering(q.shortest).c_str(), engineering(q.longest).c_str());
+  const auto line = [](const char *what, const std::string &text) { std::printf("    %-25s%s\n", what, text.c_str()); };
+  line("facets", faces);
+  line("least scaled Jacobian", engineering(q.jacobian.value) + ", " + place(q.jacobian));
+  line("largest aspect ratio", engineering(q.aspect.value) + ", " + place(q.aspect));
+  line("least step by element", engineering(q.step.value) + " s, " + place(q.step));
+  line("  5 %, half of them", engineering(q.step_twentieth) + ", " + engineering(q.step_median) + " s or less; " +
+                                engineering(100 * q.share_near) + " % within twice the least");
+  for (const std::string &note : q.notes)
+    line("note", note);
+  for (const std::string &warning : q.warnings)
+    line("warning", warning);
+}
+
+/// The bound of the worst element beside the critical step of all meshes.
+void print_critical(const coupling::Plan &plan, const std::vector<std::string> &bodies)
+{
+  double worst = std::numeric_limits<double>::infinity();
+  for (const fem::MeshQuality &q : plan.meshes)
+    worst = std::min(worst, q.step.value);
+  if (std::isfinite(plan.critical.dt))
+    std::printf("  critical   %s s, %.3f of the least step by element; %s\n", engineering(plan.critical.dt).c_str(),
+                plan.critical.dt / worst, describe(plan.critical.culprit, bodies).c_str());
+  else if (!plan.meshes.empty())
+    std::printf("  critical   not looked for in so many elements; \"step bound = power-iteration\" does\n");
 }
 } // namespace
 
@@ -70,6 +111,9 @@ void check(const SceneArguments &a)
     bodies.push_back(body.name);
   std::printf("  step       %s s, set by %s\n", engineering(plan.limit.dt).c_str(),
               describe(plan.limit.culprit, bodies).c_str());
+  for (const fem::MeshQuality &q : plan.meshes)
+    print_mesh(q);
+  print_critical(plan, bodies);
   std::printf("  to the end %s s: about %.0f steps, %.3g s of processor time (%s s a step on this machine)\n",
               engineering(scene.end_time).c_str(), plan.steps, plan.steps * plan.seconds_per_step,
               engineering(plan.seconds_per_step).c_str());

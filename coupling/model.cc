@@ -105,7 +105,11 @@ Model<dim>::Model(const input::Scene &scene)
     const input::Body &body     = scene.bodies[b];
     const auto         material = materials.at(body.material);
     if (body.method == input::Method::fem)
+    {
       meshes.push_back(fem::make_mesh<dim>(body, scene, static_cast<int>(b), material));
+      for (const std::string &note : meshes.back().notes)
+        mesh_notes_.push_back("body \"" + body.name + "\": " + note);
+    }
     else
     {
       clouds.push_back(sph::fill<dim>(body, scene, static_cast<int>(b), material));
@@ -220,6 +224,18 @@ template <int dim>
 std::vector<fem::TieReport> Model<dim>::ties() const
 {
   return fem_ ? fem_->ties() : std::vector<fem::TieReport>();
+}
+
+template <int dim>
+std::vector<fem::MeshQuality> Model<dim>::mesh_qualities(const input::Scene &scene) const
+{
+  const auto                    materials = build_materials(scene);
+  std::vector<fem::MeshQuality> qualities;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+    if (const input::Body &body = scene.bodies[b]; body.method == input::Method::fem)
+      qualities.push_back(fem::measure_quality(
+        fem::make_mesh<dim>(body, scene, static_cast<int>(b), materials.at(body.material)), body.name, scene.fem));
+  return qualities;
 }
 
 template <int dim>

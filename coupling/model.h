@@ -9,6 +9,7 @@
 #include "core/time/time_step.h"
 #include "coupling/coupler.h"
 #include "coupling/ledger.h"
+#include "fem/mesh_quality.h"
 #include "fem/solver.h"
 #include "sph/solver.h"
 
@@ -53,6 +54,13 @@ public:
   }
   std::int64_t                       lost_contacts() const { return coupler_->lost_contacts(); }
 
+  /// Of the meshes as they were made, one a body of elements; makes them again.
+  std::vector<fem::MeshQuality>   mesh_qualities(const input::Scene &) const;
+  /// What the readers of mesh files have to say, with the name of the body.
+  const std::vector<std::string> &mesh_notes() const { return mesh_notes_; }
+  /// Critical step of all meshes by power iteration; infinite without one.
+  StepLimit                       critical_dt() { return fem_ ? fem_->critical_dt() : StepLimit(); }
+
   std::size_t   particles() const { return sph_ ? sph_->size() : 0; }
   std::size_t   elements() const { return fem_ ? fem_->size() : 0; }
   std::uint64_t particle_updates() const { return sph_ ? sph_->updates() : 0; }
@@ -66,6 +74,7 @@ private:
   std::unique_ptr<fem::Solver<dim>>  fem_;
   std::unique_ptr<sph::Solver<dim>>  sph_;
   std::unique_ptr<Coupler<dim>>      coupler_;
+  std::vector<std::string>           mesh_notes_;
   double                             sph_seconds_ = 0, fem_seconds_ = 0;
 };
 

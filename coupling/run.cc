@@ -65,6 +65,8 @@ public:
   {
     history_.emplace(directory_.history(), report_.columns());
     fields_.emplace(directory_.path());
+    for (const std::string &note : model_.mesh_notes())
+      log_.warn(note);
     for (const InitialOverlap &o : model_.initial_overlaps())
       log_.warn("contact \"" + o.contact + "\": " + std::to_string(o.count) + " points overlap at the start, by up to " +
                 engineering(o.worst) + " m; their gap counts as zero until it opens");
@@ -280,6 +282,10 @@ Plan make_plan(const input::Scene &scene)
   plan.mass      = model.ledger().mass;
   plan.ties      = model.ties();
   plan.added_mass_fraction = added_mass<dim>(scene, model);
+  plan.meshes    = model.mesh_qualities(scene);
+  // an iteration costs about two steps, and it takes hundreds
+  if (constexpr std::size_t affordable = 20000; plan.elements > 0 && plan.elements <= affordable)
+    plan.critical = model.critical_dt();
 
   Clock          clock(scene.end_time, step_control(scene));
   constexpr int  trials = 5;

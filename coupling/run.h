@@ -6,6 +6,7 @@
 #include "core/io/hdf5_archive.h"
 #include "core/io/run_directory.h"
 #include "core/io/summary.h"
+#include "fem/mesh_quality.h"
 #include "fem/solver.h"
 
 #include <functional>
@@ -46,6 +47,9 @@ struct Plan
   double      mass             = 0; ///< kg, of the modelled part
   std::vector<fem::TieReport> ties;  ///< of bodies of elements
   std::map<std::string, double> added_mass_fraction; ///< by mass scaling, of bodies that got any
+
+  std::vector<fem::MeshQuality> meshes;   ///< one a body of elements
+  StepLimit                     critical; ///< of all meshes, by power iteration; infinite if not looked for
 };
 Plan plan_scene(const input::Scene &);
 } // namespace ogive::coupling

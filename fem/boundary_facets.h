@@ -23,8 +23,8 @@ void for_each_facet(const input::Boundary &boundary, const BodyMesh<dim> &mesh,
   bool found = false, open = false;
   for (std::size_t k = 0; k < mesh.facets.size(); ++k)
   {
-    const std::string &name = mesh.boundary_names[mesh.facets[k].boundary];
-    if (boundary.face == "all" ? name.starts_with("symmetry") : name != boundary.face)
+    const int b = mesh.facets[k].boundary;
+    if (boundary.face == "all" ? mesh.boundary_names[b].starts_with("symmetry") : !mesh.is_called(b, boundary.face))
       continue;
     found = true;
     if (constraints.covered(m, k))

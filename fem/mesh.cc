@@ -9,17 +9,15 @@
 #include "fem/elements/quad4_axisymmetric.h"
 #include "fem/embedding.h"
 #include "fem/initial_velocity.h"
+#include "fem/mesh_import.h"
 #include "fem/mesh_shapes.h"
 #include "fem/raise_degree.h"
 
-#include <deal.II/grid/grid_in.h>
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 
 namespace ogive::fem
 {
@@ -33,36 +31,6 @@ constexpr unsigned int from_vtk[8] = {0, 1, 3, 2, 4, 5, 7, 6};
 
 template <int dim>
 using FaceName = std::function<std::string(const std::vector<Point<dim>> &)>;
-
-template <int dim>
-void read_file(const input::Body &body, const input::Scene &scene, Triangulation<dim> &triangulation)
-{
-  namespace fs  = std::filesystem;
-  fs::path path = body.shape.mesh_file;
-  if (!fs::exists(path) && path.is_relative())
-    path = fs::path(scene.file).parent_path() / path;
-  std::ifstream in(path);
-  if (!in)
-    throw InputError({"", 0, body.name}, "cannot read mesh file \"" + body.shape.mesh_file + "\"");
-  dealii::GridIn<dim> reader;
-  reader.attach_triangulation(triangulation);
-  try
-  {
-    const std::string ending = path.extension().string();
-    if (ending == ".inp")
-      reader.read_abaqus(in);
-    else if (ending == ".msh")
-      reader.read_msh(in);
-    else if (ending.size() > 1)
-      reader.read(in, dealii::GridIn<dim>::parse_format(ending.substr(1)));
-    else
-      throw InputError({"", 0, body.name}, "the mesh file has no ending that names its format");
-  }
-  catch (const dealii::ExceptionBase &e)
-  {
-    throw InputError({"", 0, body.name}, "mesh file \"" + body.shape.mesh_file + "\": " + e.get_exc_name());
-  }
-}
 
 /// Ring order, outward: right-handed normal away from `inside`.
 template <int dim>
@@ -212,6 +180,17 @@ double BodyMesh<dim>::volume() const
 }
 
 template <int dim>
+bool BodyMesh<dim>::is_called(int b, const std::string &face) const
+{
+  if (face == "all" || boundary_names[b] == face)
+    return true;
+  if (boundary_aliases.empty())
+    return false;
+  const std::vector<std::string> &aliases = boundary_aliases[b];
+  return std::find(aliases.begin(), aliases.end(), face) != aliases.end();
+}
+
+template <int dim>
 void check_quality(const BodyMesh<dim> &mesh, const std::string &body_name)
 {
   using Vector = Eigen::Matrix<double, dim, 1>;
@@ -237,7 +216,10 @@ void check_quality(const BodyMesh<dim> &mesh, const std::string &body_name)
         std::string where;
         for (int i = 0; i < dim; ++i)
           where += (i ? ", " : "") + std::to_string(centre[i]);
-        throw InputError({"", 0, body_name}, "element " + std::to_string(c) + " of the mesh at (" + where +
+        const std::size_t e      = c * mesh.n_elements() / mesh.n_cells();
+        const std::string number = mesh.file_numbers.empty() ? std::to_string(e) + " of the mesh" :
+                                                               std::to_string(mesh.file_numbers[e]) + " of the mesh file";
+        throw InputError({"", 0, body_name}, "element " + number + " at (" + where +
                                                ") m is folded: its Jacobian is not positive at a corner");
       }
     }
@@ -255,11 +237,12 @@ BodyMesh<dim> make_mesh(const input::Body &body, const input::Scene &scene, int 
 
   Triangulation<dim> triangulation(Triangulation<dim>::limit_level_difference_at_vertices);
   FaceName<dim>      name;
+  MeshImport         import;
   double             tolerance = 1e-7 * body.spacing;
   std::vector<std::string> ids; // names of boundary ids
   if (body.shape.kind == input::ShapeKind::mesh)
   {
-    read_file(body, scene, triangulation);
+    import    = import_mesh<dim>(body, triangulation);
     tolerance = 1e-9 * dealii::GridTools::diameter(triangulation);
   }
   else
@@ -278,6 +261,12 @@ BodyMesh<dim> make_mesh(const input::Body &body, const input::Scene &scene, int 
   reduce<dim>(triangulation, scene, tolerance, name, mesh);
   if (body.coarsen > 0)
     name_boundaries(ids, mesh);
+  if (body.shape.kind == input::ShapeKind::mesh)
+  {
+    name_boundaries(import, body.name, mesh);
+    mesh.file_numbers = std::move(import.cell_numbers);
+    mesh.notes        = std::move(import.notes);
+  }
   mesh.element = body.element.empty() ? scene.fem.element : body.element;
   if (mesh.element == "spectral")
     raise_degree(mesh, scene.fem.degree);

@@ -49,7 +49,15 @@ struct BodyMesh
   std::vector<std::uint32_t>                 elements; ///< degree > 1: nodes of each, x fastest
   std::vector<Facet>                         facets; ///< all of the boundary
   std::vector<Hanging>                       hanging;
-  std::vector<std::string>                   boundary_names; ///< "x-" .. "z+"; "bottom", "top", "side", "inner", "outer"; ids of a mesh file
+  std::vector<std::string>                   boundary_names; ///< "x-" .. "z+"; "bottom", "top", "side", "inner", "outer"; groups of a mesh file
+  /// All words for the facets of a boundary: facets of a mesh file may be in
+  /// several groups, and a group has a name and a number. Empty: the name alone.
+  std::vector<std::vector<std::string>>      boundary_aliases;
+  std::vector<std::int64_t>                  file_numbers; ///< of the elements, as their mesh file counts; else empty
+  std::vector<std::string>                   notes;        ///< what the reader of a mesh file has to say
+
+  /// Whether the facets of boundary b are what a scene calls `face`.
+  bool is_called(int b, const std::string &face) const;
 
   std::size_t n_nodes() const { return x[0].size(); }
   std::size_t n_cells() const { return cells.size() / corners; }

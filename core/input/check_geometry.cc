@@ -58,6 +58,8 @@ void check_kind(const Place &p)
     p.refuse("coarsen", "spectral elements have no hanging nodes", "another element, or a mesh without coarsening");
   if (d != Dimension::axisymmetric && p.body.method == Method::fem && element == "area-weighted")
     p.refuse("element", "only rings are weighed over their section", "\"one-point\" or \"b-bar\"");
+  if (element == "area-weighted" && p.body.method == Method::fem && p.scene.fem.mass_scaling_step > 0)
+    p.refuse("element", "area-weighted elements take no added mass", "\"one-point\" or \"b-bar\", or no mass scaling");
   if (element == "area-weighted" && p.body.method == Method::fem && p.scene.fem.step_bound == "power-iteration")
     p.refuse("element", "power iteration needs a symmetric stiffness, which area-weighted elements lack",
              "\"one-point\" or \"b-bar\", or FEM/step bound = element");

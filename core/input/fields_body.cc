@@ -56,6 +56,11 @@ void shape_fields(Fields &f, Shape &s, Dimension dimension)
   round_fields(f, s, dimension);
   f.text({"mesh file", "mesh of quadrilaterals or hexahedra, seen from the scene file", Need::mandatory, with({"mesh"})},
          s.mesh_file, "a file name");
+  f.text({"mesh part", "group of the mesh file's cells that the body is made of, by name; by default all its cells",
+          Need::optional, with({"mesh"})},
+         s.mesh_part, "the name of a group");
+  f.quantity({"mesh unit", "length of one unit of the mesh file", Need::optional, with({"mesh"})}, s.mesh_unit,
+             units::length, bounds::positive);
 }
 
 void erosion_fields(Fields &f, Erosion &e)
@@ -92,7 +97,8 @@ void state_fields(Fields &f, Body &b)
 void body_fields(Fields &f, Body &b, Dimension dimension)
 {
   shape_fields(f, b.shape, dimension);
-  f.text({"material", "name of a material, from the library or from \"materials\"", Need::mandatory}, b.material,
+  f.text({"material", "name of a material, from the library or from \"materials\"; \"from mesh\": the one called as "
+                      "the mesh part", Need::mandatory}, b.material,
          "the name of a material");
   f.choice({"method", "how the body is computed: elements or particles", Need::mandatory}, b.method,
            {{"fem", Method::fem}, {"sph", Method::sph}});

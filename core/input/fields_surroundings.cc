@@ -24,10 +24,10 @@ void boundary_fields(Fields &f, Boundary &b)
             {"body-force", BoundaryKind::body_force},
             {"absorbing", BoundaryKind::absorbing}});
   f.text({"face",
-          "x-, x+, y-, y+, z-, z+ of a box; bottom, top, side, inner, outer of a round body; a boundary id of a mesh "
-          "file; all",
+          "x-, x+, y-, y+, z-, z+ of a box; bottom, top, side, inner, outer of a round body; a group of a mesh file "
+          "by name or number, or rest: what is in no group; all",
           Need::mandatory,
-          {"kind", {"fixed", "velocity", "displacement", "pressure", "absorbing"}}},
+           {"kind", {"fixed", "velocity", "displacement", "pressure", "absorbing"}}},
          b.face, "the name of a face");
   f.vector({"velocity", "prescribed velocity", Need::mandatory, {"kind", {"velocity"}}}, b.velocity, units::velocity);
   f.vector({"displacement", "prescribed displacement from the place at the start, times the history", Need::mandatory,

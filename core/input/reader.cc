@@ -80,8 +80,15 @@ void gather_materials(Scene &s, const Listing &listing)
     complete_material(m, listing, "Materials/" + m.name);
     known.push_back(m.name);
   }
-  for (const Body &b : s.bodies)
+  for (Body &b : s.bodies)
   {
+    if (b.material == "from mesh")
+    {
+      if (b.shape.mesh_part.empty())
+        throw InputError(listing.where("Bodies/" + b.name, "material"), "the body is no part of a mesh file",
+                         "an entry \"mesh part\": its group is called as the material");
+      b.material = b.shape.mesh_part;
+    }
     if (find_material(s, b.material))
       continue;
     if (std::find(known.begin(), known.end(), b.material) == known.end())

@@ -57,6 +57,8 @@ struct Shape
   Nose        nose        = Nose::blunt;
   double      nose_length = 0;
   std::string mesh_file;
+  std::string mesh_part;     ///< group of its cells; empty: all
+  double      mesh_unit = 1; ///< m, of the file's coordinates
 };
 
 /// When an element dies. Off: never.
@@ -140,7 +142,7 @@ enum class BoundaryKind
 struct Boundary
 {
   std::string  name, body;
-  std::string  face; ///< "x-", "x+", "y-", ... (box); "bottom", "top", "side", "inner", "outer" (round shapes); "all"; or a boundary id of a mesh file
+  std::string  face; ///< "x-", "x+", "y-", ... (box); "bottom", "top", "side", "inner", "outer" (round shapes); "all"; or a group of a mesh file, by name or number
   BoundaryKind kind     = BoundaryKind::fixed;
   Vec3         velocity     = Vec3::Zero(); ///< m/s
   Vec3         displacement = Vec3::Zero(); ///< m
