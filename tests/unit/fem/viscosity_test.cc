@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Bulk viscosities of elements, their acceleration correction, and masses scaled on request.
+#include "core/io/memory_archive.h"
 #include "fem/viscosity/viscosities.h"
 #include "tests/unit/fem/support.h"
 
@@ -220,4 +221,33 @@ TEST(BulkViscosity, TheCorrectionKeepsItsHoldOnSawTeeth)
   }
   EXPECT_LT(left[0], .1);
   EXPECT_LT(left[1], .2);
+}
+
+// The accelerations of t_n and half the work of the corrected forces are state: a
+// copy that loads them goes on with the same bits, and so does a run set back.
+TEST(BulkViscosity, ACorrectedRunRestartsToTheBit)
+{
+  const Parameters p     = parameters({"neumann-richtmyer", "pairwise", "compression"});
+  const auto       metal = make(copper_linear_hardening());
+  auto             first = solver_of<3>(wild_block<3>(metal), p), second = solver_of<3>(wild_block<3>(metal), p);
+  Driver<3>        a{*first};
+  for (int k = 0; k < 20; ++k)
+    ASSERT_TRUE(a.once().ok);
+  io::MemoryArchive archive;
+  first->save(archive, "fem");
+  first->snapshot();
+  const double time = a.time, last = a.last;
+  for (int k = 0; k < 20; ++k)
+    ASSERT_TRUE(a.once().ok);
+  const Sample end = first->sample(0);
+  second->load(archive, "fem");
+  first->restore();
+  for (auto *solver : {first.get(), second.get()})
+  {
+    Driver<3> again{*solver, time, last};
+    for (int k = 0; k < 20; ++k)
+      ASSERT_TRUE(again.once().ok);
+    EXPECT_EQ(solver->sample(0).x, end.x);
+    EXPECT_EQ(solver->sample(0).energy, end.energy);
+  }
 }
