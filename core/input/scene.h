@@ -151,7 +151,7 @@ struct Interface
   std::string name;
   std::string method = "tied";
   std::string particles, mesh; ///< bodies
-  std::string slave, master;   ///< bodies of elements, in place of the two above
+  std::string slave{}, master{}; ///< bodies of elements, in place of the two above
   double      tolerance = .1;  ///< gap that a tie of elements closes, in edges of the master's facet
 
   bool joins_meshes() const { return !slave.empty() || !master.empty(); }
