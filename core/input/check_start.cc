@@ -108,13 +108,17 @@ void check_erosion(const Scene &s, const Body &b, const Listing &listing)
   if (b.coarsen > 0)
     refuse("elements around hanging nodes do not die", "erosion none, or a mesh without coarsening");
   for (const Interface &i : s.interfaces)
-    if (i.mesh == b.name)
+    if (i.slave == b.name || i.master == b.name)
+      refuse("the interface \"" + i.name + "\" ties the body to another, whose nodes do not let go of dead elements",
+             "erosion none, or no such interface");
+    else if (i.mesh == b.name)
       refuse("the interface \"" + i.name + "\" ties particles to the body, and they do not let go of dead elements",
              "erosion none, or no such interface");
   for (const Boundary &boundary : s.boundaries)
-    if (boundary.body == b.name && boundary.kind == BoundaryKind::pressure)
-      refuse("the pressure \"" + boundary.name + "\" does not let go of the faces of dead elements",
-             "erosion none, or no pressure");
+    if (boundary.body == b.name &&
+        (boundary.kind == BoundaryKind::pressure || boundary.kind == BoundaryKind::absorbing))
+      refuse("the boundary \"" + boundary.name + "\" does not let go of the faces of dead elements",
+             "erosion none, or no pressure and no dashpots on the body");
 }
 } // namespace
 
