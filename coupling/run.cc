@@ -267,7 +267,7 @@ Plan make_plan(const input::Scene &scene)
   plan.mass      = model.ledger().mass;
   plan.meshes    = model.mesh_qualities(scene);
   // an iteration costs about two steps, and it takes hundreds
-  if (constexpr std::size_t affordable = 20000; plan.elements > 0 && plan.elements <= affordable)
+  if (constexpr std::size_t affordable = 100000; plan.elements > 0 && plan.elements <= affordable)
     plan.critical = model.critical_dt();
 
   Clock          clock(scene.end_time, step_control(scene));
