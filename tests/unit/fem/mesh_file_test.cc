@@ -7,7 +7,9 @@
 #include "tests/unit/fem/support.h"
 
 #include <deal.II/base/exceptions.h>
+#include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_in.h>
+#include <deal.II/grid/grid_out.h>
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria.h>
 
@@ -17,6 +19,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <sstream>
 
 #include <unistd.h>
 
@@ -134,6 +137,30 @@ TEST(MeshFile, DealIIReadsTheSame)
     for (const auto &[id, n] : ids)
       EXPECT_EQ(facets(ours, std::to_string(id)), n) << file << " " << id;
   }
+}
+
+// Other formats go through deal.II: ids stay, and the unit counts.
+TEST(MeshFile, OtherFormatsKeepTheirIds)
+{
+  dealii::Triangulation<3> cube;
+  dealii::GridGenerator::hyper_cube(cube, 0, 2, true); // faces 0 to 5
+  cube.refine_global(1);
+  std::ostringstream   text;
+  dealii::GridOut      out;
+  out.set_flags(dealii::GridOutFlags::Ucd(true, true, false));
+  out.write_ucd(cube, text);
+  const Written file(".ucd", text.str());
+  const auto    mesh = read<3>(file.path());
+  EXPECT_EQ(mesh.n_elements(), 8u);
+  EXPECT_NEAR(mesh.volume(), 8e-9, 1e-20);
+  for (const char *face : {"rest", "0", "1", "5"})
+    EXPECT_EQ(facets(mesh, face), 4u) << face;
+  for (const auto &f : mesh.facets)
+    for (const auto node : f.node)
+      if (mesh.is_called(f.boundary, "1"))
+      {
+        EXPECT_EQ(mesh.x[0][node], 2e-3);
+      }
 }
 
 // A disc of two materials: each part of the file is a body, the seam between
