@@ -284,7 +284,7 @@ Plan make_plan(const input::Scene &scene)
   plan.added_mass_fraction = added_mass<dim>(scene, model);
   plan.meshes    = model.mesh_qualities(scene);
   // an iteration costs about two steps, and it takes hundreds
-  if (constexpr std::size_t affordable = 20000; plan.elements > 0 && plan.elements <= affordable)
+  if (constexpr std::size_t affordable = 100000; plan.elements > 0 && plan.elements <= affordable)
     plan.critical = model.critical_dt();
 
   Clock          clock(scene.end_time, step_control(scene));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A quarter of a plate with a hole, mm: hole radius 10, plate 100 x 100.
-a = 10; w = 100; c = Sqrt(.5);
+// A quarter of a plate with a hole, mm: hole radius 5, plate 100 x 100.
+a = 5; w = 100; c = Sqrt(.5);
 Point(1) = {0, 0, 0};
 Point(2) = {a, 0, 0};
 Point(3) = {a * c, a * c, 0};
@@ -20,7 +20,7 @@ Curve Loop(2) = {5, 6, -7, -2};
 Plane Surface(1) = {1};
 Plane Surface(2) = {2};
 Transfinite Curve{1, 2, 4, 6} = 13;
-Transfinite Curve{3, 5, 7} = 25 Using Progression 1.13;
+Transfinite Curve{3, 5, 7} = 25 Using Progression 1.165;
 Transfinite Surface{1, 2};
 Recombine Surface{1, 2};
 Physical Curve("hole", 1) = {1, 2};

@@ -7,7 +7,9 @@
 #include "tests/unit/fem/support.h"
 
 #include <deal.II/base/exceptions.h>
+#include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_in.h>
+#include <deal.II/grid/grid_out.h>
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria.h>
 
@@ -17,6 +19,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <sstream>
 
 #include <unistd.h>
 
@@ -110,7 +113,7 @@ TEST(MeshFile, FormatsHoldTheSameMesh)
       EXPECT_EQ(facets(other, face), facets(first, face)) << file << " " << face;
   }
   // 12 chords of a quarter of the hole instead of an arc: 24 triangles
-  const double hole = .5 * 24 * std::sin(M_PI / 48) * 100e-6;
+  const double hole = .5 * 24 * std::sin(M_PI / 48) * 25e-6;
   EXPECT_NEAR(first.volume(), .01 - hole, 1e-12);
 }
 
@@ -134,6 +137,30 @@ TEST(MeshFile, DealIIReadsTheSame)
     for (const auto &[id, n] : ids)
       EXPECT_EQ(facets(ours, std::to_string(id)), n) << file << " " << id;
   }
+}
+
+// Other formats go through deal.II: ids stay, and the unit counts.
+TEST(MeshFile, OtherFormatsKeepTheirIds)
+{
+  dealii::Triangulation<3> cube;
+  dealii::GridGenerator::hyper_cube(cube, 0, 2, true); // faces 0 to 5
+  cube.refine_global(1);
+  std::ostringstream   text;
+  dealii::GridOut      out;
+  out.set_flags(dealii::GridOutFlags::Ucd(true, true, false));
+  out.write_ucd(cube, text);
+  const Written file(".ucd", text.str());
+  const auto    mesh = read<3>(file.path());
+  EXPECT_EQ(mesh.n_elements(), 8u);
+  EXPECT_NEAR(mesh.volume(), 8e-9, 1e-20);
+  for (const char *face : {"rest", "0", "1", "5"})
+    EXPECT_EQ(facets(mesh, face), 4u) << face;
+  for (const auto &f : mesh.facets)
+    for (const auto node : f.node)
+      if (mesh.is_called(f.boundary, "1"))
+      {
+        EXPECT_EQ(mesh.x[0][node], 2e-3);
+      }
 }
 
 // A disc of two materials: each part of the file is a body, the seam between
@@ -276,12 +303,13 @@ std::pair<double, double> kirsch(double a, double x, double y)
 
 // The plate of the sample, pulled at once, swings about its state of rest: the
 // mean over ten swings under a window 1 - cos (whose error falls with the cube of
-// their number) is held to Kirsch's stress at the middle of the elements. A plate
-// ten holes wide bears 1.1 % more beside the hole than a wide one (Heywood:
-// (2 + .9^3)/.9 = 3.032); the bar of 3 % leaves 2 % to the elements.
+// their number) is held to Kirsch's stress at the middle of each element, within
+// 1 % of the greatest, 3 S. That the plate ends at twenty radii costs .7 % of it:
+// elements of half the size differ by .021 S beside the hole (README of the scene),
+// and in a plate that ends at ten radii by .084 S.
 TEST(MeshFile, PlateWithAHoleAgainstKirsch)
 {
-  const double    S = 10e6, a = .01, end = 800e-6;
+  const double    S = 10e6, a = .005, end = 800e-6;
   Parameters      p;
   input::Boundary pull;
   pull.face         = "right";
@@ -314,8 +342,8 @@ TEST(MeshFile, PlateWithAHoleAgainstKirsch)
     if (std::hypot(x, y) > 2 * a)
       continue;
     const auto [exact_xx, exact_yy] = kirsch(a, x, y);
-    EXPECT_NEAR(xx[e] / weights / S, exact_xx, .03 * 3) << x << " " << y;
-    EXPECT_NEAR(yy[e] / weights / S, exact_yy, .03 * 3) << x << " " << y;
+    EXPECT_NEAR(xx[e] / weights / S, exact_xx, .01 * 3) << x << " " << y;
+    EXPECT_NEAR(yy[e] / weights / S, exact_yy, .01 * 3) << x << " " << y;
     ++compared;
   }
   EXPECT_GT(compared, 150u);
