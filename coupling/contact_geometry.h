@@ -65,7 +65,9 @@ inline std::array<double, 3> nearest_on_triangle(const Point<3> &p, const Point<
 
 /// Replaces `best` by `other` if it is nearer; between equally near ones (an
 /// edge or corner that facets share) the one whose plane stands most across
-/// the line to the point decides on which side the point is.
+/// the line to the point decides on which side the point is. Where that is alike
+/// too, as on a plane of symmetry, the normals decide and not the numbers of the
+/// facets, so that mirrored bodies choose mirrored ones.
 template <int dim>
 bool better_foot(const Point<dim> &p, const Foot<dim> &other, const Foot<dim> &best)
 {
@@ -74,7 +76,15 @@ bool better_foot(const Point<dim> &p, const Foot<dim> &other, const Foot<dim> &b
     return true;
   if (other.distance2 > best.distance2 * (1 + same))
     return false;
-  return std::abs((p - other.where).dot(other.normal)) > std::abs((p - best.where).dot(best.normal));
+  const double across    = std::abs((p - other.where).dot(other.normal));
+  const double other_way = std::abs((p - best.where).dot(best.normal));
+  const double tie       = 1e-9 * std::sqrt(best.distance2);
+  if (std::abs(across - other_way) > tie)
+    return across > other_way;
+  for (int i = dim - 1; i >= 0; --i)
+    if (std::abs(other.normal[i] - best.normal[i]) > 1e-9)
+      return other.normal[i] > best.normal[i];
+  return false;
 }
 
 /// Nearest point of a facet given its corners. A quad is the surface of four
