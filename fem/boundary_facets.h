@@ -62,7 +62,7 @@ void for_each_area_share(const Nodes<dim> &nodes, const typename BodyMesh<dim>::
     {
       const double share = axisymmetric ? std::numbers::pi / 3 * (2 * x(a, 0) + x(1 - a, 0)) : .5;
       // Outside is on the right of a -> b.
-      f(a, Vector(share * Vector(x(1, 1) - x(0, 1), x(0, 0) - x(1, 0))));
+      f(a, Vector(facet.weight[a] * share * Vector(x(1, 1) - x(0, 1), x(0, 0) - x(1, 0))));
     }
   else
   {
@@ -74,7 +74,7 @@ void for_each_area_share(const Nodes<dim> &nodes, const typename BodyMesh<dim>::
     }
     const Vector quarter = .125 * d1.cross(d2);
     for (int a = 0; a < 4; ++a)
-      f(a, quarter);
+      f(a, Vector(facet.weight[a] * quarter));
   }
 }
 } // namespace ogive::fem

@@ -73,7 +73,7 @@ public:
   void follow(Nodes<dim> &) const;
 
   const std::vector<TieReport> &ties() const { return ties_; }
-  /// True for a facet of mesh m that a tie covers: no surface any more.
+  /// True for a facet of mesh m that a tie covers: boundaries have no place there.
   bool covered(std::size_t m, std::size_t facet) const { return !covered_.empty() && covered_[m][facet]; }
 
 private:

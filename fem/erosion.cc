@@ -27,7 +27,7 @@ constexpr auto sides_of_element()
 
 template <int dim>
 Erosion<dim>::Erosion(const std::vector<BodyMesh<dim>> &meshes, const std::vector<GroupPlace> &place,
-                      const Constraints<dim> &constraints, bool axisymmetric)
+                      bool axisymmetric)
   : axisymmetric_(axisymmetric)
 {
   for (std::size_t b = 0; b < meshes.size(); ++b)
@@ -35,15 +35,14 @@ Erosion<dim>::Erosion(const std::vector<BodyMesh<dim>> &meshes, const std::vecto
     when_.push_back(meshes[b].erosion);
     first_element_.push_back(place[b].first_element);
     any_ = any_ || meshes[b].erosion.on;
-    list_sides(meshes[b], place[b], [&](std::size_t facet) { return constraints.covered(b, facet); });
+    list_sides(meshes[b], place[b]);
   }
 }
 
 // First the sides that bound the mesh, in its order, then both sides of each
 // pair of elements.
 template <int dim>
-void Erosion<dim>::list_sides(const BodyMesh<dim> &mesh, const GroupPlace &place,
-                              const std::function<bool(std::size_t)> &covered)
+void Erosion<dim>::list_sides(const BodyMesh<dim> &mesh, const GroupPlace &place)
 {
   const auto add = [&](const auto &nodes, std::uint32_t cell, double outward, std::int64_t other) {
     Side side;
@@ -55,9 +54,9 @@ void Erosion<dim>::list_sides(const BodyMesh<dim> &mesh, const GroupPlace &place
     side.other         = other;
     sides_.push_back(side);
   };
-  for (std::size_t f = 0; f < mesh.facets.size(); ++f)
-    if (const auto &facet = mesh.facets[f];
-        !mesh.boundary_names[facet.boundary].starts_with("symmetry") && !covered(f))
+  // Faces under a tie too: what a third body strikes must be closed.
+  for (const auto &facet : mesh.facets)
+    if (!mesh.boundary_names[facet.boundary].starts_with("symmetry"))
       add(facet.node, facet.cell, facet.outward, -1);
   if (!mesh.erosion.on)
     return;

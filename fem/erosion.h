@@ -2,13 +2,11 @@
 #pragma once
 
 #include "core/base/surface.h"
-#include "fem/constraints.h"
 #include "fem/element_group.h"
 #include "fem/mesh.h"
 #include "fem/nodes.h"
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -26,8 +24,7 @@ public:
 
   Erosion() = default;
   /// `place`: of each mesh, with the first of 2^dim nodes where dead elements rest.
-  Erosion(const std::vector<BodyMesh<dim>> &, const std::vector<GroupPlace> &place, const Constraints<dim> &,
-          bool axisymmetric);
+  Erosion(const std::vector<BodyMesh<dim>> &, const std::vector<GroupPlace> &place, bool axisymmetric);
 
   bool any() const { return any_; }
   /// Kills what has failed. True if anything died.
@@ -56,7 +53,7 @@ private:
     std::int64_t                 other;
   };
 
-  void list_sides(const BodyMesh<dim> &, const GroupPlace &, const std::function<bool(std::size_t facet)> &covered);
+  void list_sides(const BodyMesh<dim> &, const GroupPlace &);
   void take(Nodes<dim> &, std::uint32_t node, double mass);
 
   std::vector<input::Erosion> when_;          ///< one a group

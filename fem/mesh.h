@@ -26,6 +26,17 @@ struct BodyMesh
     std::uint32_t                        cell     = 0;
     int                                  boundary = 0; ///< index into boundary_names
     double                               outward  = 1; ///< 1-D: sign of the outward normal
+    /// What a uniform load gives each corner, over an even share: the weights of
+    /// the points of a spectral face.
+    std::array<double, n_nodes>          weight   = even();
+
+    static constexpr std::array<double, n_nodes> even()
+    {
+      std::array<double, n_nodes> w{};
+      for (double &one : w)
+        one = 1;
+      return w;
+    }
   };
 
   /// A node that stays in the middle of `n` others of this mesh: of an edge (2)

@@ -13,9 +13,9 @@ namespace ogive::fem
 {
 namespace
 {
-std::vector<double> lobatto_points(int degree)
+template <class List>
+std::vector<double> lobatto_points(int degree, const List &list)
 {
-  const auto list = [](const auto &line) { return std::vector<double>(std::begin(line.point), std::end(line.point)); };
   return degree == 2 ? list(Lobatto<2>{}) : degree == 3 ? list(Lobatto<3>{}) : list(Lobatto<4>{});
 }
 
@@ -27,7 +27,8 @@ public:
     : old_(mesh)
     , mesh_(mesh)
     , degree_(degree)
-    , point_(lobatto_points(degree))
+    , point_(lobatto_points(degree, [](const auto &line) { return std::vector<double>(std::begin(line.point), std::end(line.point)); }))
+    , weight_(lobatto_points(degree, [](const auto &line) { return std::vector<double>(std::begin(line.weight), std::end(line.weight)); }))
   {}
 
   void raise()
@@ -192,6 +193,10 @@ private:
           lowest[k] = std::min(lowest[k], place[k]);
         }
         facet.node[c] = node(old.cell, place);
+        if constexpr (dim >= 2)
+          facet.weight[c] = over_even(corners[c][0]);
+        if constexpr (dim == 3)
+          facet.weight[c] *= over_even(corners[c][1]);
       }
       std::uint32_t cell = 0;
       for (int k = dim - 1; k >= 0; --k)
@@ -204,10 +209,18 @@ private:
     });
   }
 
+  /// Quadrature weight of a point of a line over what even shares of the spaces
+  /// beside it give.
+  double over_even(int k) const
+  {
+    const double low = point_[std::max(k - 1, 0)], high = point_[std::min(k + 1, degree_)];
+    return weight_[k] / (.5 * (high - low));
+  }
+
   const BodyMesh<dim>          old_; ///< a copy
   BodyMesh<dim>               &mesh_;
   int                          degree_;
-  std::vector<double>          point_;
+  std::vector<double>          point_, weight_; ///< of a line
   std::map<Key, std::uint32_t> known_;
 };
 } // namespace

@@ -83,7 +83,7 @@ void Solver<dim>::Implementation::build(std::vector<BodyMesh<dim>> meshes)
   constraints.follow(nodes);
   loads     = Loads<dim>(parameters, meshes, first_node, constraints);
   absorbing = AbsorbingFaces<dim>(parameters, meshes, first_node, constraints);
-  erosion   = Erosion<dim>(meshes, place, constraints, parameters.axisymmetric);
+  erosion   = Erosion<dim>(meshes, place, parameters.axisymmetric);
   face.n    = nodes.size();
   review_erosion();
   walls    = RigidWalls<dim>(parameters, wall_nodes(meshes));

@@ -54,6 +54,11 @@ void check_kind(const Place &p)
   if (d == Dimension::axisymmetric && p.body.method == Method::fem && element == "spectral")
     p.refuse("element", "spectral elements have no rings: their nodes on the axis would have no mass",
              "\"one-point\", \"area-weighted\" or \"b-bar\"");
+  if (element == "spectral" && p.body.method == Method::fem)
+    for (const Interface &i : p.scene.interfaces)
+      if (i.mesh == p.body.name || i.slave == p.body.name || i.master == p.body.name)
+        p.refuse("element", "the interface \"" + i.name + "\" ties the body, and ties know no spectral shape functions",
+                 "\"one-point\" or \"b-bar\", or no such interface");
   if (element == "spectral" && p.body.method == Method::fem && p.body.coarsen > 0)
     p.refuse("coarsen", "spectral elements have no hanging nodes", "another element, or a mesh without coarsening");
   if (d != Dimension::axisymmetric && p.body.method == Method::fem && element == "area-weighted")

@@ -117,6 +117,37 @@ TEST(History, LoadsACube)
 
 // A body force moves all nodes alike: v = int g dt to rounding, no strain, and
 // its work is the kinetic energy.
+// A uniform pressure gives the nodes of a spectral face the weights of its points:
+// all of a block's face then starts alike, as nodes with the mass of those weights.
+TEST(History, PressesSpectralFacesEvenly)
+{
+  for (const int degree : {2, 3, 4})
+  {
+    input::Scene scene;
+    scene.fem.element = "spectral";
+    scene.fem.degree  = degree;
+    std::vector<BodyMesh<3>> meshes;
+    meshes.push_back(make_mesh<3>(box({0, 0, 0}, {2e-3, 3e-3, 2e-3}, 1e-3), scene, 0, make(copper())));
+    Parameters p;
+    p.options = scene.fem;
+    input::Boundary push;
+    push.name     = "push";
+    push.face     = "x-";
+    push.kind     = input::BoundaryKind::pressure;
+    push.pressure = 1e8;
+    p.boundaries.push_back(push);
+    p.boundary_bodies = {0};
+    Solver<3>    solver(p, std::move(meshes));
+    const double dt = 1e-10;
+    ASSERT_TRUE(solver.step({0, dt, dt}).ok);
+    const Sample s = solver.sample(0);
+    for (std::size_t a = 0; a < s.mass.size(); ++a)
+      if (s.x0[0][a] == 0)
+        // p A over the mass of a layer: p dt/(rho w_0 h/2), w_0 of the first point
+        EXPECT_NEAR(s.v[0][a] * 8930 * .5e-3 * (degree == 2 ? 1. / 3 : degree == 3 ? 1. / 6 : .1) / (1e8 * dt), 1, 1e-9);
+  }
+}
+
 template <int dim>
 void expect_fall(bool axisymmetric)
 {
