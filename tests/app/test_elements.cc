@@ -41,6 +41,22 @@ TEST(Elements, FullOnesLockInBending)
   EXPECT_LT(quantity(column("bending-column/scene.prm", "full", "0.499"), "tip") / converged, .5);
 }
 
+// A clamped plate in its first bending mode, three elements through its thickness:
+// the exact period within 5 %. One point feels (1 - 1/9) of the bending stiffness,
+// a period 6 % too long; fully integrated ones lock in shear.
+TEST(Elements, BendWithThreeThroughTheThickness)
+{
+  const auto period = [](const std::string &element) {
+    const auto s = run_scene("oscillating-plate/scene.prm",
+                             {"Bodies/plate/method=fem", "Bodies/plate/lower=0, -10 mm", "Bodies/plate/spacing=6.6667 mm",
+                              "FEM/element=" + element});
+    return quantity(s, "period") / .25515;
+  };
+  EXPECT_NEAR(period("b-bar"), 1, .05);
+  EXPECT_NEAR(period("one-point"), 1 / std::sqrt(1 - 1. / 9), .02);
+  EXPECT_LT(period("full"), .95);
+}
+
 TEST(Elements, TwistedColumnKeepsItsEnergy)
 {
   for (const char *element : {"b-bar", "spectral"})
