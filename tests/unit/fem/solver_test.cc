@@ -115,6 +115,50 @@ TEST(Patch, SpectralLine) { expect_patch<1>(false, "spectral", 2); }
 TEST(Patch, SpectralPlaneStrain) { expect_patch<2>(false, "spectral", 4); }
 TEST(Patch, SpectralHex) { expect_patch<3>(false, "spectral", 3); }
 
+// A rigid turn strains nothing: chords of a turn by .3 rad in one step leave less
+// than 1e-10 of E (numerics: exact for any affine motion).
+template <int dim>
+void expect_no_stress_from_a_turn(const std::string &element, int degree = 1)
+{
+  auto         mesh = wild_block<dim>(make(copper()), false, 0, .2, element, degree);
+  const double dt   = 1e-6;
+  const Eigen::Matrix3d turn =
+    Eigen::AngleAxisd(.3, dim == 3 ? Vec3(1, 2, -2).normalized() : Vec3(Vec3::UnitZ())).toRotationMatrix();
+  for (std::size_t a = 0; a < mesh.n_nodes(); ++a)
+  {
+    Vec3 x = Vec3::Zero();
+    for (int i = 0; i < dim; ++i)
+      x[i] = mesh.x[i][a];
+    const Vec3 v = (turn * x - x) / dt;
+    for (int i = 0; i < dim; ++i)
+      mesh.v[i][a] = v[i];
+  }
+  auto solver = solver_of<dim>(std::move(mesh));
+  ASSERT_TRUE(solver->step({0, 1e-12, dt}).ok);
+  const Sample s = solver->sample(0);
+  for (const auto &component : s.sigma)
+    for (const double stress : component)
+      EXPECT_LT(std::abs(stress), 1e-10 * 117e9);
+}
+TEST(RigidTurn, OnePoint)
+{
+  expect_no_stress_from_a_turn<2>("one-point");
+  expect_no_stress_from_a_turn<3>("one-point");
+}
+TEST(RigidTurn, BBarAndFull)
+{
+  for (const char *element : {"b-bar", "full"})
+  {
+    expect_no_stress_from_a_turn<2>(element);
+    expect_no_stress_from_a_turn<3>(element);
+  }
+}
+TEST(RigidTurn, Spectral)
+{
+  expect_no_stress_from_a_turn<2>("spectral", 4);
+  expect_no_stress_from_a_turn<3>("spectral", 3);
+}
+
 // Half the run, save, load into a fresh solver, the other half: the same bits.
 TEST(State, RestartAndRestoreAreBitwise)
 {
