@@ -8,8 +8,8 @@ namespace ogive::input::testing
 /// A good three-dimensional scene with one of everything.
 extern const char *const base_scene;
 
-/// Writes a file of that name into a fresh folder below the working directory and
-/// returns its path.
+/// Writes a file of that name into a fresh folder, which goes away at the end of the
+/// program, and returns its path.
 std::string write_file(const std::string &name, const std::string &text);
 
 /// Replaces the first `from`, which must be there.

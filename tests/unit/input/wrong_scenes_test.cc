@@ -5,18 +5,36 @@
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 
 namespace ogive::input::testing
 {
+namespace
+{
+/// A folder of this process that goes away with it.
+struct Scratch
+{
+  const std::filesystem::path path =
+    std::filesystem::temp_directory_path() / ("ogive-scenes-" + std::to_string(::getpid()));
+  ~Scratch()
+  {
+    std::error_code ignored;
+    std::filesystem::remove_all(path, ignored);
+  }
+};
+} // namespace
+
 std::string write_file(const std::string &name, const std::string &text)
 {
+  static const Scratch        scratch;
   static int                  count = 0;
   const ::testing::TestInfo  *test  = ::testing::UnitTest::GetInstance()->current_test_info();
   const std::filesystem::path folder =
-    std::filesystem::path("scenes") / test->test_suite_name() / test->name() / std::to_string(count++);
+    scratch.path / test->test_suite_name() / test->name() / std::to_string(count++);
   std::filesystem::create_directories(folder);
   const std::string path = (folder / name).string();
   std::ofstream(path) << text;
