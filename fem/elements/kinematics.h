@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "fem/elements/one_point.h"
-
 namespace ogive::fem
 {
 /// Inverse of a dim x dim matrix, and its determinant.
@@ -35,6 +33,29 @@ T invert(const T (&m)[dim][dim], T (&inverse)[dim][dim])
         entry = entry * d;
     return det;
   }
+}
+
+/// L <- L (I - dt/2 L)^-1: the gradient at the middle of the step from that at
+/// its end, exact for affine motion, so that a rigid turn strains nothing.
+template <int dim, class T>
+void to_middle(T (&L)[dim][dim], T half_dt)
+{
+  T m[dim][dim], inverse[dim][dim], end[dim][dim];
+  for (int i = 0; i < dim; ++i)
+    for (int j = 0; j < dim; ++j)
+    {
+      m[i][j]   = T(i == j ? 1. : 0.) - half_dt * L[i][j];
+      end[i][j] = L[i][j];
+    }
+  invert<dim, T>(m, inverse);
+  for (int i = 0; i < dim; ++i)
+    for (int j = 0; j < dim; ++j)
+    {
+      T sum(0.);
+      for (int k = 0; k < dim; ++k)
+        sum += end[i][k] * inverse[k][j];
+      L[i][j] = sum;
+    }
 }
 
 /// Strain and spin of a step at one point (order of materials::Increments).

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "fem/elements/geometry.h"
+#include "fem/elements/kinematics.h"
 
 #include <cmath>
 
@@ -20,49 +21,6 @@ struct Deformation
   T strain[6], spin[3], trace, dual[6];
   T rate[Geometry<Element, T>::modes][Element::dim];
 };
-
-/// L <- L (I - dt/2 L)^-1: the gradient at the middle of the step from that at
-/// its end, exact for affine motion, so that a rigid turn strains nothing.
-template <int dim, class T>
-void to_middle(T (&L)[dim][dim], T half_dt)
-{
-  if constexpr (dim == 1)
-    L[0][0] = L[0][0] / (1. - half_dt * L[0][0]);
-  else
-  {
-    T m[dim][dim], inverse[dim][dim], c[dim][dim];
-    for (int i = 0; i < dim; ++i)
-      for (int j = 0; j < dim; ++j)
-        m[i][j] = T(i == j ? 1. : 0.) - half_dt * L[i][j], c[i][j] = L[i][j];
-    if constexpr (dim == 2)
-    {
-      const T d     = 1. / (m[0][0] * m[1][1] - m[0][1] * m[1][0]);
-      inverse[0][0] = d * m[1][1], inverse[0][1] = -d * m[0][1];
-      inverse[1][0] = -d * m[1][0], inverse[1][1] = d * m[0][0];
-    }
-    else
-    {
-      for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j)
-        {
-          const int p = (j + 1) % 3, q = (j + 2) % 3, r = (i + 1) % 3, s = (i + 2) % 3;
-          inverse[i][j] = m[p][r] * m[q][s] - m[p][s] * m[q][r];
-        }
-      const T d = 1. / (m[0][0] * inverse[0][0] + m[0][1] * inverse[1][0] + m[0][2] * inverse[2][0]);
-      for (auto &row : inverse)
-        for (T &entry : row)
-          entry = entry * d;
-    }
-    for (int i = 0; i < dim; ++i)
-      for (int j = 0; j < dim; ++j)
-      {
-        T sum(0.);
-        for (int k = 0; k < dim; ++k)
-          sum += c[i][k] * inverse[k][j];
-        L[i][j] = sum;
-      }
-  }
-}
 
 template <class Element, class T>
 void hourglass_rates(const T (&x)[Element::corners][Element::dim], const T (&v)[Element::corners][Element::dim],
