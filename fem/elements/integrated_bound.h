@@ -3,6 +3,8 @@
 
 #include "fem/elements/point_geometry.h"
 
+#include <cmath>
+
 /// Bounds of the frequencies of integrated elements with their own lumped
 /// masses, from their shape alone. The assembled mesh lies below the largest
 /// element (Irons and Treharne, 1971).
