@@ -51,21 +51,21 @@ void check_kind(const Place &p)
   if (s.kind == ShapeKind::mesh && p.body.method == Method::sph)
     p.refuse("method", "particles are not made from a mesh file", "\"fem\"");
   const std::string &element = p.body.element.empty() ? p.scene.fem.element : p.body.element;
-  if (d == Dimension::axisymmetric && p.body.method == Method::fem && element == "spectral")
+  if (d == Dimension::axisymmetric && p.body.method != Method::sph && element == "spectral")
     p.refuse("element", "spectral elements have no rings: their nodes on the axis would have no mass",
              "\"one-point\", \"area-weighted\" or \"b-bar\"");
-  if (element == "spectral" && p.body.method == Method::fem)
+  if (element == "spectral" && p.body.method != Method::sph)
     for (const Interface &i : p.scene.interfaces)
       if (i.mesh == p.body.name || i.slave == p.body.name || i.master == p.body.name)
         p.refuse("element", "the interface \"" + i.name + "\" ties the body, and ties know no spectral shape functions",
                  "\"one-point\" or \"b-bar\", or no such interface");
-  if (element == "spectral" && p.body.method == Method::fem && p.body.coarsen > 0)
+  if (element == "spectral" && p.body.method != Method::sph && p.body.coarsen > 0)
     p.refuse("coarsen", "spectral elements have no hanging nodes", "another element, or a mesh without coarsening");
-  if (d != Dimension::axisymmetric && p.body.method == Method::fem && element == "area-weighted")
+  if (d != Dimension::axisymmetric && p.body.method != Method::sph && element == "area-weighted")
     p.refuse("element", "only rings are weighed over their section", "\"one-point\" or \"b-bar\"");
-  if (element == "area-weighted" && p.body.method == Method::fem && p.scene.fem.mass_scaling_step > 0)
+  if (element == "area-weighted" && p.body.method != Method::sph && p.scene.fem.mass_scaling_step > 0)
     p.refuse("element", "area-weighted elements take no added mass", "\"one-point\" or \"b-bar\", or no mass scaling");
-  if (element == "area-weighted" && p.body.method == Method::fem && p.scene.fem.step_bound == "power-iteration")
+  if (element == "area-weighted" && p.body.method != Method::sph && p.scene.fem.step_bound == "power-iteration")
     p.refuse("element", "power iteration needs a symmetric stiffness, which area-weighted elements lack",
              "\"one-point\" or \"b-bar\", or FEM/step bound = element");
 }

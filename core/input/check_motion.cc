@@ -145,7 +145,7 @@ void check_aim(const Scene &s, const Body &b, const Listing &listing)
   std::vector<const Body *> group{&b};
   for (const Interface &i : s.interfaces)
     for (const auto &[one, other] : {std::pair{&i.particles, &i.mesh}, std::pair{&i.slave, &i.master}})
-      if (*one == b.name || *other == b.name)
+      if (i.body.empty() && (*one == b.name || *other == b.name))
         group.push_back(&body_named(s, *one == b.name ? *other : *one));
 
   bool        has_target = !s.walls.empty(), hits = false;

@@ -95,7 +95,7 @@ void check_boundaries(const Scene &s, const Listing &listing)
   {
     const std::string section = "Boundaries/" + b.name;
     const Body       &body    = find_body(s, listing, section, "body", b.body);
-    if (body.method != Method::fem)
+    if (body.method == Method::sph)
       check_particle_boundary(b, listing);
     check_load(s, b, listing);
     if (b.kind == BoundaryKind::body_force)
@@ -137,7 +137,18 @@ void check_interfaces(const Scene &s, const Listing &listing)
   for (const Interface &i : s.interfaces)
   {
     const std::string section = "Interfaces/" + i.name;
-    const Pair        pair    = pair_of(s, i, listing);
+    if (!i.body.empty())
+    {
+      for (const char *entry : {"particles", "mesh", "slave", "master"})
+        if (listing.find(section, entry))
+          throw InputError(listing.where(section, entry), "the interface is one within the body \"" + i.body + "\"",
+                           "\"body\" alone, or two bodies");
+      if (find_body(s, listing, section, "body", i.body).method != Method::automatic)
+        throw InputError(listing.where(section, "body"), "no element of the body \"" + i.body + "\" turns into particles",
+                         "a body with method auto");
+      continue;
+    }
+    const Pair pair = pair_of(s, i, listing);
     if (!i.joins_meshes() && pair.a.method != Method::sph)
       throw InputError(listing.where(section, pair.first), "the body \"" + pair.a.name + "\" is made of elements",
                        "a body with method sph");

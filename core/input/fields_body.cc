@@ -78,6 +78,35 @@ void erosion_fields(Fields &f, Erosion &e)
              e.step, units::time, bounds::not_negative);
 }
 
+void conversion_fields(Fields &f, Conversion &c)
+{
+  const Use automatic{"method", {"auto"}};
+  f.number({"particles per edge", "particles along an edge of an element that converts", Need::optional, automatic},
+           c.per_edge, Bound{1, 3});
+  f.number({"conversion strain", "plastic strain at which an element turns into particles; 0: not by it",
+            Need::optional, automatic},
+           c.strain, bounds::not_negative);
+  f.number({"conversion damage", "damage at which it does; 0: not by it", Need::optional, automatic}, c.damage,
+           Bound{0, 1});
+  f.number({"conversion volume", "natural logarithm of the change of volume, either way, at which it does; 0: not by it",
+            Need::optional, automatic},
+           c.volume, bounds::not_negative);
+  f.quantity({"conversion step", "bound of the step below which it does; 0: not by it", Need::optional, automatic},
+             c.step, units::time, bounds::not_negative);
+  f.number({"conversion layers", "elements around one that must convert which go with it", Need::optional, automatic},
+           c.layers, Bound{0, 10});
+  f.quantity({"zone radius", "elements whose centre lies within it of the zone centre are particles from the start",
+              Need::optional, automatic},
+             c.zone_radius, units::length, bounds::not_negative);
+  const Use zone{"zone radius", {}};
+  f.vector({"zone centre", "the point that the zone radius is measured from", Need::optional, zone}, c.zone_centre,
+           units::length);
+  f.vector({"zone along", "the radius is measured from the line through the zone centre in this direction; zero: from "
+                          "the point itself",
+            Need::optional, zone},
+           c.zone_along, units::none);
+}
+
 void state_fields(Fields &f, Body &b)
 {
   f.quantity({"start density", "density at the start, by default the material's: less is a body stretched alike along "
@@ -100,22 +129,22 @@ void body_fields(Fields &f, Body &b, Dimension dimension)
   f.text({"material", "name of a material, from the library or from \"materials\"; \"from mesh\": the one called as "
                       "the mesh part", Need::mandatory}, b.material,
          "the name of a material");
-  f.choice({"method", "how the body is computed: elements or particles", Need::mandatory}, b.method,
-           {{"fem", Method::fem}, {"sph", Method::sph}});
+  f.choice({"method", "how the body is computed: elements, particles, or elements that turn into particles", Need::mandatory}, b.method,
+           {{"fem", Method::fem}, {"sph", Method::sph}, {"auto", Method::automatic}});
   f.quantity({"spacing", "distance of particles, or element edge", Need::mandatory}, b.spacing, units::length,
              bounds::positive);
   f.quantity({"spacing far", "element edge at the outer radius of a disc or ring, or at the far end; 0: as spacing",
               Need::optional,
-              {"method", {"fem"}}},
+              {"method", {"fem", "auto"}}},
              b.spacing_far, units::length, bounds::not_negative);
   std::string element = b.element.empty() ? "default" : b.element;
   f.choice({"element", "formulation of its elements; default: that of the section FEM", Need::optional,
-            {"method", {"fem"}}},
+            {"method", {"fem", "auto"}}},
            element, {"default", "one-point", "b-bar", "full", "area-weighted", "spectral"});
   b.element = element == "default" ? "" : element;
   f.number({"coarsen", "how often the element edge of a generated mesh doubles with distance, by hanging nodes",
             Need::optional,
-            {"method", {"fem"}}},
+            {"method", {"fem", "auto"}}},
            b.coarsen, Bound{0, 6});
   const Use coarsened{"coarsen", {}};
   f.quantity({"coarsen distance", "the edge doubles where the distance reaches this, and at each multiple of it",
@@ -133,6 +162,7 @@ void body_fields(Fields &f, Body &b, Dimension dimension)
             {"method", {"sph"}}},
            b.jitter, Bound{0, .4});
   erosion_fields(f, b.erosion);
+  conversion_fields(f, b.conversion);
   f.vector({"velocity", "initial velocity"}, b.velocity, units::velocity);
   if (dimension == Dimension::plane_strain)
     f.quantity({"spin", "initial spin about the centre of mass, about z"}, b.spin.z(), units::rate);

@@ -102,6 +102,16 @@ void option_fields(Fields &f, Scene &scene)
   fem_fields(f, scene.fem);
   f.leave();
 
+  f.enter("Subcycling");
+  f.choice({"who", "the solver that takes several steps in one of the other"}, scene.subcycling.who,
+           {"none", "particles", "elements"});
+  const Use somebody{"who", {"particles", "elements"}};
+  f.number({"steps", "how many", Need::optional, somebody}, scene.subcycling.steps, Bound{1, 64});
+  f.number({"energy limit", "error of the energy over the initial kinetic energy above which both step alike from then on",
+            Need::optional, somebody},
+           scene.subcycling.energy_limit, bounds::positive);
+  f.leave();
+
   f.enter("Stop");
   stop_fields(f, scene.stop);
   f.leave();

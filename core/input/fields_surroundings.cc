@@ -60,13 +60,30 @@ void boundary_fields(Fields &f, Boundary &b)
 
 void interface_fields(Fields &f, Interface &i)
 {
-  f.choice({"method", "how motion and forces pass the seam"}, i.method, {"tied"});
+  f.choice({"method", "how motion and forces pass the seam"}, i.method, {"tied", "pair-flux", "blended"});
   f.text({"particles", "the body of particles"}, i.particles, "the name of a body with method sph");
   f.text({"mesh", "the body of elements that carries the particles"}, i.mesh, "the name of a body with method fem");
   f.text({"slave", "of two bodies of elements, the one whose surface nodes follow: the finer mesh"}, i.slave,
          "the name of a body with method fem");
   f.text({"master", "of two bodies of elements, the one whose facets lead"}, i.master,
          "the name of a body with method fem");
+  f.text({"body", "in place of two bodies one that turns from elements into particles"}, i.body,
+         "the name of a body with method auto");
+  const Use flux{"method", {"pair-flux"}};
+  f.number({"damping", "of the elements at the seam: their stress by strain rate over that by strain, in the time a wave "
+                       "takes through an element",
+            Need::optional, flux},
+           i.damping, bounds::not_negative);
+  f.number({"pair viscosity", "coefficient of the viscosity on what pairs at the seam move otherwise than their fields say",
+            Need::optional, flux},
+           i.pair_viscosity, bounds::not_negative);
+  f.choice({"certificate", "what a run makes of a seam that reflects more than the limit: it refuses, warns, or does "
+                           "not look"},
+           i.certificate, {"check", "warn", "skip"});
+  f.number({"reflection limit", "amplitude of the echo of a wave of the certificate wavelength over that of the wave"},
+           i.reflection_limit, bounds::positive_fraction);
+  f.quantity({"certificate wavelength", "the shortest wave that the seam shall pass; 0: 32 particle spacings"},
+             i.certificate_wavelength, units::length, bounds::not_negative);
   f.number({"tolerance", "gap that is closed between two bodies of elements, in edges of the master's facet",
             Need::optional, {"slave", {}}},
            i.tolerance, bounds::positive_fraction);
@@ -84,6 +101,9 @@ void contact_fields(Fields &f, Contact &c)
     c.second = between[1];
   }
   f.number({"friction", "Coulomb coefficient"}, c.friction, bounds::not_negative);
+  f.choice({"overlap", "of points that overlap at the start: it counts as zero until it opens, the points are moved "
+                       "apart, or the run refuses"},
+           c.overlap, {"rest", "heal", "refuse"});
   f.number({"stiffness", "penalty stiffness, in effective mass over step squared"}, c.stiffness, Bound{0, .1, true});
 }
 } // namespace ogive::input

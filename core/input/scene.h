@@ -26,7 +26,8 @@ std::string describe(Dimension);        ///< as in a scene file: "plane-strain"
 enum class Method
 {
   fem,
-  sph
+  sph,
+  automatic ///< elements that turn into particles where they must
 };
 
 enum class Nose
@@ -69,6 +70,23 @@ struct Erosion
   double step   = 0;     ///< once its bound of the step is less than this, s (0: not by it)
 };
 
+/// When an element turns into particles: where any of the measures reaches 1,
+///   strain/strain', damage/damage', |ln J|/volume', bound of the step below `step`,
+/// and what lies within `layers` elements of it. A limit of 0 switches its measure off.
+struct Conversion
+{
+  double per_edge = 1; ///< particles an edge, 1 to 3
+  double strain   = .25;
+  double damage   = .1;
+  double volume   = .3;
+  double step     = 0; ///< s
+  double layers   = 2;
+  /// Converted at the start: centres of elements within zone_radius of the point
+  /// zone_centre, or, unless zone_along is zero, of the line through it.
+  double zone_radius = 0; ///< m
+  Vec3   zone_centre = Vec3::Zero(), zone_along = Vec3::Zero();
+};
+
 struct Body
 {
   std::string name;
@@ -91,6 +109,7 @@ struct Body
   /// along each axis, the same ones in every run.
   double jitter      = 0;
   Erosion erosion; ///< fem
+  Conversion conversion; ///< automatic
   Vec3   velocity    = Vec3::Zero(); ///< m/s
   Vec3   spin        = Vec3::Zero(); ///< rad/s about the centre of mass
   /// Initial velocity field beyond translation and spin; empty for none:
@@ -157,12 +176,19 @@ struct Boundary
   }
 };
 
-/// Joins a body of particles to one of elements, or two bodies of elements.
+/// Joins a body of particles to one of elements, or two bodies of elements, or
+/// the particles and the elements of one body with method automatic.
 struct Interface
 {
   std::string name;
-  std::string method = "tied";
+  std::string method = "tied"; ///< "tied", "pair-flux", "blended"
   std::string particles, mesh; ///< bodies
+  std::string body{};          ///< one body with method automatic, in place of the two above
+  double      damping = .1;    ///< of the elements at the seam: stress over that of strain in the time H/c; pair flux
+  double      pair_viscosity = 1; ///< on what a pair at the seam has left of its velocities; pair flux
+  std::string certificate = "skip"; ///< "check", "warn", "skip": what a run makes of too strong a reflection
+  double      reflection_limit = .1; ///< amplitude of the echo of a wave of certificate_wavelength
+  double      certificate_wavelength = 0; ///< m; 0: 32 particle spacings
   std::string slave{}, master{}; ///< bodies of elements, in place of the two above
   double      tolerance = .1;  ///< gap that a tie of elements closes, in edges of the master's facet
 
@@ -175,6 +201,7 @@ struct Contact
   std::string first, second; ///< bodies
   double      friction = 0;
   double      stiffness = .1; ///< penalty k = stiffness m_eff/dt^2, <= .1
+  std::string overlap = "rest"; ///< at the start: "rest" (counts as zero until it opens), "heal" (moved apart), "refuse"
 };
 
 enum class ReferenceKind
@@ -255,6 +282,14 @@ struct FemOptions
   double      step_factor       = .9;
 };
 
+/// One solver takes `steps` steps in one of the other.
+struct Subcycling
+{
+  std::string who   = "none"; ///< "none", "particles", "elements"
+  double      steps = 1;
+  double      energy_limit = .005; ///< error of the energy, of the initial kinetic energy, above which it falls back to 1
+};
+
 struct StopRule
 {
   bool        active = false;
@@ -291,6 +326,7 @@ struct Scene
   std::vector<Observer>              observers;
   SphOptions                         sph;
   FemOptions                         fem;
+  Subcycling                         subcycling;
   StopRule                           stop;
   Limits                             limits;
   Output                             output;
