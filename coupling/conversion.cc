@@ -199,7 +199,7 @@ std::vector<ConversionEvent> Conversion<dim>::turn_into_particles(const Body &b,
     const std::vector<fem::Departure<dim>> gone  = mesh_.take_out(numbers);
     const std::size_t                      first = all.mass.size();
     for (std::size_t k = 0; k < gone.size(); ++k)
-      add_particles(gone[k], lattice_of(gone[k], b.spacing), state, k, axisymmetric_, all);
+      add_particles<dim>(gone[k], lattice_of(gone[k], b.spacing), state, k, axisymmetric_, all);
 
     ConversionEvent event;
     event.body      = b.scene;

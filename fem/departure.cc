@@ -100,16 +100,6 @@ std::vector<Departure<dim>> Solver<dim>::take_out(std::span<const std::uint32_t>
 }
 
 template <int dim>
-std::vector<typename Surface<dim>::Facet> Solver<dim>::seam(int body) const
-{
-  std::vector<typename Surface<dim>::Facet> facets;
-  for (const auto &facet : self_->erosion.seam())
-    if (facet.body == body)
-      facets.push_back(facet);
-  return facets;
-}
-
-template <int dim>
 std::size_t Solver<dim>::converted_elements() const
 {
   return self_->erosion.converted_elements();

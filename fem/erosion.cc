@@ -34,7 +34,6 @@ Erosion<dim>::Erosion(const std::vector<BodyMesh<dim>> &meshes, const std::vecto
   {
     when_.push_back(meshes[b].erosion);
     first_element_.push_back(place[b].first_element);
-    converts_.push_back(meshes[b].converts);
     any_ = any_ || meshes[b].loses_elements();
     list_sides(meshes[b], place[b]);
   }
@@ -53,7 +52,7 @@ void Erosion<dim>::list_sides(const BodyMesh<dim> &mesh, const GroupPlace &place
     side.facet.element = static_cast<std::uint32_t>(place.first_element + cell);
     side.facet.outward = outward;
     side.other         = other;
-    side.facet.bared   = other >= 0;
+    side.facet.bared   = other >= 0 && mesh.converts;
     sides_.push_back(side);
   };
   // Faces under a tie too: what a third body strikes must be closed.
@@ -166,29 +165,20 @@ void Erosion<dim>::review(const Groups &groups, Surface<dim> &face)
     for (std::size_t e = 0; e < groups[g]->cells(); ++e)
       alive[g][e] = groups[g]->alive(e);
   }
-  const auto group_of = [&](std::int64_t element) {
+  const auto lives = [&](std::int64_t element) {
     std::size_t g = first_element_.size() - 1;
     while (element < static_cast<std::int64_t>(first_element_[g]))
       --g;
-    return g;
-  };
-  const auto lives = [&](std::int64_t element) {
-    const std::size_t g = group_of(element);
     return bool(alive[g][static_cast<std::size_t>(element) - first_element_[g]]);
   };
   std::vector<std::uint32_t> touching;
   face.facets.clear();
-  seam_.clear();
   for (const Side &side : sides_)
     if (lives(side.facet.element) && (side.other < 0 || !lives(side.other)))
     {
-      if (side.other >= 0 && converts_[group_of(side.other)])
-      {
-        seam_.push_back(side.facet);
-        continue;
-      }
       face.facets.push_back(side.facet);
-      touching.insert(touching.end(), side.facet.node.begin(), side.facet.node.end());
+      if (!side.facet.bared)
+        touching.insert(touching.end(), side.facet.node.begin(), side.facet.node.end());
     }
   std::sort(touching.begin(), touching.end());
   touching.erase(std::unique(touching.begin(), touching.end()), touching.end());

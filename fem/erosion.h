@@ -35,8 +35,6 @@ public:
   /// place: masses as they left the nodes. ElementGroup::sum_forces and review()
   /// are due after the last one.
   typename ElementGroup<dim>::Remains take_out(ElementGroup<dim> &, std::size_t e, Nodes<dim> &);
-  /// Faces of living elements whose other side turned into particles.
-  const std::vector<typename Surface<dim>::Facet> &seam() const { return seam_; }
   std::size_t converted_elements() const { return static_cast<std::size_t>(gone_[converted]); }
   /// After the state has changed: who lives, and the facets of the living.
   void review(const Groups &, Surface<dim> &face);
@@ -71,8 +69,6 @@ private:
   std::vector<input::Erosion> when_;          ///< one a group
   std::vector<std::size_t>    first_element_; ///< one a group
   std::vector<Side>           sides_;
-  std::vector<bool>           converts_;      ///< one a group
-  std::vector<typename Surface<dim>::Facet> seam_;
   std::vector<std::uint32_t>  living_;        ///< elements at each node
   std::vector<std::size_t>    failed_;
   AlignedVector<double>       gone_ = AlignedVector<double>(entries, 0.);

@@ -128,10 +128,7 @@ public:
   /// Takes elements out between two steps, with the mass, momentum and energy
   /// that are returned. Nodes keep their velocities.
   std::vector<Departure<dim>> take_out(std::span<const std::uint32_t> elements);
-  /// Faces of living elements of a body whose other side turned into particles;
-  /// the surface has no such facets. Surface::topology tells when they change.
-  std::vector<typename Surface<dim>::Facet> seam(int body) const;
-  std::size_t                               converted_elements() const;
+  std::size_t                 converted_elements() const;
 
   /// Normal force sum that rigid wall `w` gave in the last step, N (into the material).
   double wall_force(std::size_t w) const;

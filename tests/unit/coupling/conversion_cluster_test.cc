@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "coupling/conversion_cluster.h"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -92,7 +93,7 @@ Made<dim> make(const std::vector<fem::Departure<dim>> &elements, int n, bool axi
   Made<dim> made;
   auto      points = states(elements);
   for (std::size_t e = 0; e < elements.size(); ++e)
-    add_particles(elements[e], lattice_of(elements[e], 1. / n), points, e, axisymmetric, made.particles);
+    add_particles<dim>(elements[e], lattice_of(elements[e], 1. / n), points, e, axisymmetric, made.particles);
   made.before = sums_of<dim>(elements, points, axisymmetric);
   made.turn   = repair_momenta(made.before, axisymmetric, made.particles, 0);
   made.after  = sums_of(made.particles, 0, axisymmetric);
