@@ -47,10 +47,10 @@ int body_index(const input::Scene &scene, const std::string &name)
   throw InputError("no body \"" + name + "\" in the scene");
 }
 
-std::vector<int> boundary_bodies(const input::Scene &scene, const std::vector<input::Boundary> &boundaries)
+std::vector<int> boundary_bodies(const input::Scene &scene)
 {
   std::vector<int> bodies;
-  for (const input::Boundary &boundary : boundaries)
+  for (const input::Boundary &boundary : scene.boundaries)
     bodies.push_back(body_index(scene, boundary.body));
   return bodies;
 }
@@ -79,18 +79,8 @@ sph::BodyParticles<dim> no_particles(const input::Body &body, int index,
   cloud.material = std::move(material);
   cloud.spacing  = body.spacing / body.conversion.per_edge;
   cloud.shape    = body.shape;
+  cloud.grows    = true;
   return cloud;
-}
-
-/// Boundaries of bodies that are particles from the start: those of others act
-/// on elements, which stay.
-std::vector<input::Boundary> particle_boundaries(const input::Scene &scene)
-{
-  std::vector<input::Boundary> own;
-  for (const input::Boundary &boundary : scene.boundaries)
-    if (scene.bodies[static_cast<std::size_t>(body_index(scene, boundary.body))].method == input::Method::sph)
-      own.push_back(boundary);
-  return own;
 }
 
 std::vector<fem::Tie> mesh_ties(const input::Scene &scene)
@@ -164,13 +154,12 @@ Model<dim>::Model(const input::Scene &scene)
   if (!meshes.empty())
     fem_ = std::make_unique<fem::Solver<dim>>(
       fem::Parameters{scene.fem, scene.dimension == input::Dimension::axisymmetric, scene.symmetry, scene.walls,
-                      scene.boundaries, boundary_bodies(scene, scene.boundaries), mesh_ties(scene)},
+                      scene.boundaries, boundary_bodies(scene), mesh_ties(scene)},
       std::move(meshes));
-  const auto boundaries = particle_boundaries(scene);
   if (!clouds.empty())
     sph_ = std::make_unique<sph::Solver<dim>>(
       sph::Parameters{scene.sph, scene.dimension == input::Dimension::axisymmetric, scene.symmetry, scene.walls,
-                      boundaries, boundary_bodies(scene, boundaries)},
+                      scene.boundaries, boundary_bodies(scene)},
       std::move(clouds));
   if (!held.empty())
   {
