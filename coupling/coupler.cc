@@ -22,6 +22,19 @@ Party party_of(const input::Scene &scene, int body)
   return scene.bodies[body].method == input::Method::sph ? particle_party : mesh_party;
 }
 
+/// Both for a body whose elements turn into particles.
+std::vector<Party> parties_of(const input::Scene &scene, int body)
+{
+  return scene.bodies[body].method == input::Method::automatic ? std::vector<Party>{mesh_party, particle_party} :
+                                                                 std::vector<Party>{party_of(scene, body)};
+}
+
+/// Of the particles that a body's elements may turn into, m; 0 for other bodies.
+double coming_radius(const input::Body &body)
+{
+  return body.method == input::Method::automatic ? .5 * body.spacing / body.conversion.per_edge : 0.;
+}
+
 /// Cuts of the model: symmetry planes and the axis of rotation.
 std::vector<int> cut_axes(const input::Scene &scene)
 {
@@ -89,8 +102,6 @@ void Coupler<dim>::build_contacts(const input::Scene &scene)
     spec.name         = entry.name;
     spec.first        = body_named(scene, entry.first, entry.name);
     spec.second       = body_named(scene, entry.second, entry.name);
-    spec.first_party  = party_of(scene, spec.first);
-    spec.second_party = party_of(scene, spec.second);
     spec.friction     = entry.friction;
     spec.stiffness    = entry.stiffness;
     if (spec.first == spec.second)
@@ -102,7 +113,15 @@ void Coupler<dim>::build_contacts(const input::Scene &scene)
                        "more than 0 and at most .1, so that contact does not set the step");
     if (!(entry.friction >= 0))
       throw InputError({scene.file, 0, entry.name}, "negative friction", "a coefficient >= 0");
-    specs.push_back(std::move(spec));
+    spec.first_radius  = coming_radius(scene.bodies[spec.first]);
+    spec.second_radius = coming_radius(scene.bodies[spec.second]);
+    for (const Party first : parties_of(scene, spec.first))
+      for (const Party second : parties_of(scene, spec.second))
+      {
+        spec.first_party  = first;
+        spec.second_party = second;
+        specs.push_back(spec);
+      }
   }
   // The tied masses are on the nodes by now, so this is the step of the run.
   StepLimit limit;
