@@ -126,12 +126,7 @@ void PairFluxInterface<dim>::board(const Faces<dim> &faces)
   seam_   = view.seam;
   riders_ = seam_.empty() ? std::vector<RiderPlace<dim>>() :
             spec_.per_edge > 0 ? places_in_cells<dim>(view) : continue_lattice<dim>(view, mesh_);
-  mesh_topology_ = faces[mesh_party].topology;
-
-  std::map<std::uint32_t, std::vector<std::uint32_t>> by_host;
-  for (std::size_t k = 0; k < riders_.size(); ++k)
-    by_host[riders_[k].element].push_back(static_cast<std::uint32_t>(k));
-  hosts_.assign(by_host.begin(), by_host.end());
+  sort_by_host();
 
   // Particles fill their body: their cells are not quite those of the lattice.
   const auto &cloud = faces[particle_party];
@@ -162,10 +157,25 @@ void PairFluxInterface<dim>::board(const Faces<dim> &faces)
     }
   particles_.set_riders(in);
 
-  // Elements near the seam are damped.
-  std::vector<Box<dim>> cells(view.cells.element.size()), seam(seam_.size());
+  damp(faces, view.cells);
+}
+
+template <int dim>
+void PairFluxInterface<dim>::sort_by_host()
+{
+  std::map<std::uint32_t, std::vector<std::uint32_t>> by_host;
+  for (std::size_t k = 0; k < riders_.size(); ++k)
+    by_host[riders_[k].element].push_back(static_cast<std::uint32_t>(k));
+  hosts_.assign(by_host.begin(), by_host.end());
+}
+
+/// Elements near the seam.
+template <int dim>
+void PairFluxInterface<dim>::damp(const Faces<dim> &faces, const typename MeshPort<dim>::Cells &all)
+{
+  std::vector<Box<dim>> cells(all.element.size()), seam(seam_.size());
   for (std::size_t c = 0; c < cells.size(); ++c)
-    for (const std::uint32_t i : view.cells.node[c])
+    for (const std::uint32_t i : all.node[c])
       cells[c].include(faces.position(mesh_party, i));
   for (std::size_t f = 0; f < seam_.size(); ++f)
   {
@@ -177,11 +187,22 @@ void PairFluxInterface<dim>::board(const Faces<dim> &faces)
   }
   NeighbourList<dim> near;
   near.build(cells, seam);
-  std::vector<std::uint32_t> damped;
+  damped_.clear();
   for (std::size_t c = 0; c < cells.size(); ++c)
     if (!near.of(c).empty() && spec_.damping > 0)
-      damped.push_back(view.cells.element[c]);
-  mesh_.damp(spec_.mesh, damped, spec_.damping);
+      damped_.push_back(all.element[c]);
+  mesh_.damp(spec_.mesh, damped_, spec_.damping);
+}
+
+template <int dim>
+void PairFluxInterface<dim>::renew()
+{
+  if (spec_.per_edge == 0)
+    return;
+  board(Faces<dim>::look(&mesh_, &particles_));
+  const auto faces = Faces<dim>::look(&mesh_, &particles_); // riders have changed it
+  find_feet(faces);
+  balance_areas(faces);
 }
 
 template <int dim>
@@ -453,6 +474,7 @@ void PairFluxInterface<dim>::save(ArchiveWriter &archive, const std::string &pre
     names.push_back(foot.id);
     names.insert(names.end(), foot.node.begin(), foot.node.end());
   }
+  save_riders(archive, prefix);
   std::vector<double>       areas;
   std::vector<std::int64_t> ends;
   for (const auto &edge : edges_)
@@ -484,6 +506,7 @@ void PairFluxInterface<dim>::load(const ArchiveReader &archive, const std::strin
       feet_[s].weight[k] = numbers[2 + s * n + k];
     }
   }
+  load_riders(archive, prefix);
   const auto areas = archive.doubles(prefix + "/edges");
   const auto ends  = archive.integers(prefix + "/edges_ends");
   if (areas.size() * 4 != ends.size() * dim)
@@ -499,6 +522,62 @@ void PairFluxInterface<dim>::load(const ArchiveReader &archive, const std::strin
   }
   energy_ = kept_ = {numbers[0], numbers[1]};
   adopt_  = true;
+}
+
+template <int dim>
+void PairFluxInterface<dim>::save_riders(ArchiveWriter &archive, const std::string &prefix) const
+{
+  std::vector<std::int64_t> hosts, facets;
+  std::vector<double>       weights, sides;
+  for (const auto &rider : riders_)
+  {
+    hosts.push_back(rider.element);
+    hosts.insert(hosts.end(), rider.host.node.begin(), rider.host.node.end());
+    weights.insert(weights.end(), rider.host.weight.begin(), rider.host.weight.end());
+  }
+  for (const auto &facet : seam_)
+  {
+    facets.push_back(facet.element);
+    facets.insert(facets.end(), facet.node.begin(), facet.node.end());
+    sides.push_back(facet.outward);
+  }
+  archive.write(prefix + "/riders", hosts);
+  archive.write(prefix + "/rider_weights", weights);
+  archive.write(prefix + "/seam", facets);
+  archive.write(prefix + "/seam_sides", sides);
+  archive.write(prefix + "/damped", std::vector<std::int64_t>(damped_.begin(), damped_.end()));
+}
+
+template <int dim>
+void PairFluxInterface<dim>::load_riders(const ArchiveReader &archive, const std::string &prefix)
+{
+  const auto            hosts = archive.integers(prefix + "/riders"), facets = archive.integers(prefix + "/seam"),
+             damped  = archive.integers(prefix + "/damped");
+  const auto            weights = archive.doubles(prefix + "/rider_weights"), sides = archive.doubles(prefix + "/seam_sides");
+  constexpr std::size_t corners = Embedding<dim>::n_nodes, of_facet = n_nodes;
+  if (hosts.size() * corners != weights.size() * (corners + 1) || facets.size() != sides.size() * (of_facet + 1))
+    throw InputError("the checkpoint's seam (" + prefix + ") is not that of this scene");
+  riders_.assign(weights.size() / corners, {});
+  for (std::size_t k = 0; k < riders_.size(); ++k)
+  {
+    riders_[k].element = static_cast<std::uint32_t>(hosts[k * (corners + 1)]);
+    for (std::size_t n = 0; n < corners; ++n)
+    {
+      riders_[k].host.node[n]   = static_cast<std::uint32_t>(hosts[k * (corners + 1) + 1 + n]);
+      riders_[k].host.weight[n] = weights[k * corners + n];
+    }
+  }
+  seam_.assign(sides.size(), {});
+  for (std::size_t f = 0; f < seam_.size(); ++f)
+  {
+    seam_[f].element = static_cast<std::uint32_t>(facets[f * (of_facet + 1)]);
+    seam_[f].outward = sides[f];
+    seam_[f].body    = spec_.mesh;
+    for (std::size_t n = 0; n < of_facet; ++n)
+      seam_[f].node[n] = static_cast<std::uint32_t>(facets[f * (of_facet + 1) + 1 + n]);
+  }
+  damped_.assign(damped.begin(), damped.end());
+  sort_by_host();
 }
 
 template class PairFluxInterface<1>;

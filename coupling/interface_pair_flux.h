@@ -34,6 +34,7 @@ class PairFluxInterface : public Interface<dim>
 public:
   PairFluxInterface(const InterfaceSpec &, MeshPort<dim> &, ParticlePort<dim> &, Slaves<dim> &);
 
+  void renew() override;
   void gather(Faces<dim> &, const Slaves<dim> &) override;
   void drive(const Faces<dim> &, Slaves<dim> &) const override;
   void close(const Faces<dim> &, const Slaves<dim> &, const TimeStep &) override;
@@ -58,8 +59,12 @@ private:
   };
 
   void       board(const Faces<dim> &); ///< riders and damped elements for the seam as it is
+  void       sort_by_host();
+  void       damp(const Faces<dim> &, const typename MeshPort<dim>::Cells &);
   void       find_feet(const Faces<dim> &);
   void       balance_areas(const Faces<dim> &);
+  void       save_riders(ArchiveWriter &, const std::string &prefix) const;
+  void       load_riders(const ArchiveReader &, const std::string &prefix);
   Point<dim> velocity_at(const Faces<dim> &, const Foothold &) const;
 
   InterfaceSpec                                    spec_;
@@ -81,9 +86,10 @@ private:
   std::vector<Foothold>                            feet_, kept_feet_;
   std::vector<Edge>                                edges_, kept_edges_;
   std::vector<Point<dim>>                          edge_force_, edge_velocity_before_; ///< of the step
-  std::uint64_t                                    topology_ = 0, mesh_topology_ = 0;
+  std::uint64_t                                    topology_ = 0;
   bool                                             adopt_ = false; ///< the feet are those of the lists in place
   std::vector<Point<dim>>                          force_, velocity_before_; ///< of the step, by foothold
+  std::vector<std::uint32_t>                       damped_;
   InterfaceEnergy                                  energy_, kept_;
   mutable materials::Points                        state_; ///< scratch
 };
