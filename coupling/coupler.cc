@@ -22,6 +22,29 @@ Party party_of(const input::Scene &scene, int body)
   return scene.bodies[body].method == input::Method::sph ? particle_party : mesh_party;
 }
 
+/// What a body is made of, or may be in time.
+std::vector<Party> parties_of(const input::Scene &scene, int body)
+{
+  if (scene.bodies[body].method == input::Method::automatic)
+    return {mesh_party, particle_party};
+  return {party_of(scene, body)};
+}
+
+/// Which pairs of a body of particles are the particle solver's: within its
+/// support, by places of now; or by those of t = 0, with room for what a contact
+/// sees of a lattice that is bent and squeezed.
+void set_joined(const input::Scene &scene, ContactSpec &spec)
+{
+  const input::SphOptions options = scene.sph.settled();
+  const input::Body      &body    = scene.bodies[spec.first];
+  const double            spacing =
+    body.method == input::Method::automatic ? body.spacing / body.conversion.per_edge : body.spacing;
+  spec.joined_at_start = options.configuration == "reference";
+  spec.joined_within   = (options.kernel == "quintic" ? 3 : 2) * options.h_over_dx * spacing;
+  if (spec.joined_at_start)
+    spec.joined_within = std::max(spec.joined_within, 3.5 * spacing);
+}
+
 /// Cuts of the model: symmetry planes and the axis of rotation.
 std::vector<int> cut_axes(const input::Scene &scene)
 {
@@ -83,23 +106,30 @@ void Coupler<dim>::build_contacts(const input::Scene &scene)
   for (const auto &entry : scene.contacts)
   {
     ContactSpec spec;
-    spec.name         = entry.name;
-    spec.first        = body_named(scene, entry.first, entry.name);
-    spec.second       = body_named(scene, entry.second, entry.name);
-    spec.first_party  = party_of(scene, spec.first);
-    spec.second_party = party_of(scene, spec.second);
-    spec.friction     = entry.friction;
-    spec.stiffness    = entry.stiffness;
-    if (spec.first == spec.second)
-      throw InputError({scene.file, 0, entry.name}, "body \"" + entry.first + "\" cannot touch itself",
-                       "two different bodies");
+    spec.name      = entry.name;
+    spec.first     = body_named(scene, entry.first, entry.name);
+    spec.second    = body_named(scene, entry.second, entry.name);
+    spec.friction  = entry.friction;
+    spec.stiffness = entry.stiffness;
+    spec.overlap   = entry.overlap;
     if (!(entry.stiffness > 0 && entry.stiffness <= .1))
       throw InputError({scene.file, 0, entry.name},
                        "contact stiffness " + std::to_string(entry.stiffness) + " is out of range",
                        "more than 0 and at most .1, so that contact does not set the step");
     if (!(entry.friction >= 0))
       throw InputError({scene.file, 0, entry.name}, "negative friction", "a coefficient >= 0");
-    specs.push_back(std::move(spec));
+    for (const Party first : parties_of(scene, spec.first))
+      for (const Party second : parties_of(scene, spec.second))
+      {
+        // Within a body of both kinds the seam joins them.
+        if (spec.first == spec.second && first != second)
+          continue;
+        spec.first_party  = first;
+        spec.second_party = second;
+        if (spec.meets_itself() && first == particle_party)
+          set_joined(scene, spec);
+        specs.push_back(spec);
+      }
   }
   // The tied masses are on the nodes by now, so this is the step of the run.
   StepLimit limit;
@@ -116,7 +146,9 @@ void Coupler<dim>::build_contacts(const input::Scene &scene)
   }
   contacts_ = std::make_unique<ContactSet<dim>>(std::move(specs), cut_axes(scene), limit.dt,
                                                 std::min(share, .95));
-  contacts_->start(Faces<dim>::look(mesh_.get(), particles_.get()));
+  const auto faces = Faces<dim>::look(mesh_.get(), particles_.get());
+  moves_           = contacts_->healing(faces, healed_);
+  contacts_->start(faces);
 }
 
 template <int dim>
@@ -125,6 +157,8 @@ void Coupler<dim>::gather()
   auto faces = Faces<dim>::look(mesh_.get(), particles_.get());
   faces.clear_forces();
   contacts_->gather(faces);
+  if (const Fragments<dim> *fragments = contacts_->new_fragments())
+    particles_->set_pieces(fragments->label());
   if (interfaces_.empty())
     return;
   std::array<std::span<double>, dim> force;
