@@ -310,12 +310,20 @@ const Fragments<dim> *ContactSet<dim>::fragments_of(const ContactPair<dim> &pair
 }
 
 template <int dim>
-const Fragments<dim> *ContactSet<dim>::new_fragments()
+std::vector<std::int64_t> ContactSet<dim>::new_pieces()
 {
+  bool fresh = false;
   for (std::size_t f = 0; f < fragments_.size(); ++f)
-    if (std::exchange(told_[f], fragments_[f].version()) != fragments_[f].version())
-      return &fragments_[f];
-  return nullptr;
+    fresh |= std::exchange(told_[f], fragments_[f].version()) != fragments_[f].version();
+  std::vector<std::int64_t> pieces;
+  for (std::size_t f = 0; fresh && f < fragments_.size(); ++f)
+  {
+    const auto label = fragments_[f].label();
+    pieces.resize(std::max(pieces.size(), label.size()), Fragments<dim>::unknown);
+    for (std::size_t i = 0; i < label.size(); ++i)
+      pieces[i] = std::max(pieces[i], label[i]);
+  }
+  return pieces;
 }
 
 template <int dim>

@@ -100,9 +100,9 @@ public:
   std::size_t                        active() const;
   /// Contacts given up because the point had gone too deep.
   std::int64_t lost() const { return state_.lost; }
-  /// Bodies that meet themselves by their fragments, to tell the particle solver;
-  /// null unless there are new ones since the last call.
-  const Fragments<dim> *new_fragments();
+  /// Fragment of each particle by id, to tell the particle solver (see
+  /// ParticlePort::set_pieces); empty unless there are new ones since the last call.
+  std::vector<std::int64_t> new_pieces();
   /// Force on body `a` by body `b` at the last gather, N; none on itself.
   Vec3 force(int a, int b) const;
   /// Sum of |force| kick over all contacts and steps, N s: the scale for momentum.
