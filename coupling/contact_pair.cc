@@ -70,6 +70,13 @@ void ContactPair<dim>::measure(const Faces<dim> &faces, const std::vector<int> &
       facet_size_ =
         facets.size() > 1 ? .25 * (box.upper - box.lower)[0] : std::numeric_limits<double>::infinity();
   }
+  own_finest_ = 0;
+  if (point_party_ == mesh_party)
+    for (const auto &facet : true_facets(faces[point_party_], point_body_, symmetry_axes))
+    {
+      const double edge = facet_size(faces[point_party_], facet);
+      own_finest_       = own_finest_ > 0 ? std::min(own_finest_, edge) : edge;
+    }
   size_up(faces);
 }
 
@@ -93,6 +100,8 @@ void ContactPair<dim>::size_up(const Faces<dim> &faces)
            0;
   if (dim > 1 || other_party_ == particle_party)
     size_ = std::max(size_, point_size);
+  const double apart = point_party_ == particle_party ? point_size : own_finest_;
+  crowd_ = apart > 0 && std::isfinite(size_) ? std::max(1., std::pow(size_ / apart, dim - 1)) : 1;
   max_depth_    = deepest * size_;
   half_spacing_ = .5 * (point_size > 0 ? std::min(point_size, size_) : size_);
   // Nothing to measure by: a lone end point, met by nodes. It has one side.
@@ -416,6 +425,24 @@ double ContactPair<dim>::inverse_mass(const Faces<dim> &faces, const List &list,
   for (const auto &carrier : carried)
     sum += carrier.weight * carrier.weight / masses[carrier.index];
   return sum;
+}
+
+template <int dim>
+double ContactPair<dim>::crowded_inverse_mass(const Faces<dim> &faces, const List &list, const Record &record) const
+{
+  const auto &masses  = faces[other_party_].mass;
+  const auto  carried = list.of(record);
+  if (meeting_ == Meeting::balls)
+    return 0;
+  if (other_party_ == particle_party)
+  {
+    const double sum = field_.sum_of_slopes();
+    return .5 * (1 + sum) * sum * crowd_ / masses[carried.front().index];
+  }
+  double sum = 0;
+  for (const auto &carrier : carried)
+    sum += std::abs(carrier.weight) / masses[carrier.index];
+  return crowd_ * sum;
 }
 
 template <int dim>

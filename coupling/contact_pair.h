@@ -157,6 +157,10 @@ public:
   /// 1/m_eff of a contact found now, 1/kg.
   double inverse_mass(const Faces<dim> &, const List &, const Record &) const;
 
+  /// The same by the crowd: with every point of a closed layer in contact, the row
+  /// of a carrier in M^-1 K is at most 2 k times this, 1/kg.
+  double crowded_inverse_mass(const Faces<dim> &, const List &, const Record &) const;
+
 private:
   /// The nearest of the candidate facets whose feet `accept` lets pass.
   template <class Accept>
@@ -204,6 +208,8 @@ private:
   double        share_;
   double        facet_size_   = 0; ///< mean edge of the other side's facets, m
   double        finest_       = 0; ///< least of them, m
+  double        own_finest_   = 0; ///< of the points' side where they are nodes, m
+  double        crowd_        = 1; ///< points that a place of the other side carries in a closed layer
   double        size_         = 0; ///< typical facet edge or particle spacing of the other side, m
   double        max_depth_    = 0;
   double        half_spacing_ = 0;
