@@ -82,8 +82,9 @@ double least_bound(Pairing pairing, double ratio, double finer, double step_shar
 } // namespace
 
 // The penalty cannot set the step: k leaves each point, in the thick of a closed
-// layer, within what the solvers leave of the leapfrog's limit. By k of a single
-// contact alone the bound fell to .35 of the step (light and fine below heavy).
+// layer, within what the solvers leave of the leapfrog's limit. With k from the masses
+// of a single contact alone the bound fell below the step in 38 of these 108, to
+// .35 of it.
 TEST(Stiffness, NeverSetsTheStep)
 {
   std::mt19937                           random(11);

@@ -7,7 +7,7 @@
 #include <fstream>
 
 /// Bodies that meet themselves: a ring crushed flat, a stack of loose blocks, the
-/// fragments of a plate that breaks.
+/// pieces of a bar that tears.
 namespace ogive::coupling
 {
 namespace
@@ -23,8 +23,8 @@ void make_soft(input::Scene &scene) // E 1 GPa, nu .3
   soft.eos.bulk_modulus = 1e9 / 1.2;
 }
 
-/// A ring of 6 mm radius, its wall 1.2 mm, between two anvils that close at 2 x 50
-/// m/s and would meet after 120 us.
+/// A ring of 6 mm radius, its wall 1.2 mm, between two anvils that close at 2 x 45
+/// m/s; the walls meet first in the middle, after some 120 us.
 input::Scene crush(Method method, double spacing, bool touching)
 {
   auto scene = scenes::steel_scene(Dimension::plane_strain);
@@ -39,8 +39,8 @@ input::Scene crush(Method method, double spacing, bool touching)
   ring.shape.radius       = 6e-3;
   ring.spacing            = spacing;
   scene.bodies.push_back(ring);
-  scenes::add_box(scene, "low", Method::fem, {-10e-3, -9e-3, 0}, {10e-3, -6.05e-3, 0}, 1e-3, {0, 50, 0});
-  scenes::add_box(scene, "high", Method::fem, {-10e-3, 6.05e-3, 0}, {10e-3, 9e-3, 0}, 1e-3, {0, -50, 0});
+  scenes::add_box(scene, "low", Method::fem, {-10e-3, -16.05e-3, 0}, {10e-3, -6.05e-3, 0}, 1e-3, {0, 45, 0});
+  scenes::add_box(scene, "high", Method::fem, {-10e-3, 6.05e-3, 0}, {10e-3, 16.05e-3, 0}, 1e-3, {0, -45, 0});
   scene.contacts.push_back({"l", "ring", "low", 0, .1});
   scene.contacts.push_back({"h", "ring", "high", 0, .1});
   if (touching)
@@ -75,14 +75,14 @@ void expect_walls_to_meet(Method method, double spacing)
     auto              row = run.model.ledger();
     ledger.enter(row);
     double &most_closed = least[touching] = 1;
-    while (run.time < 130e-6)
+    while (run.time < 150e-6)
     {
       run.step();
       row = run.model.ledger();
       ledger.enter(row);
       most_closed = std::min(most_closed, opening(run.model.sample(0)));
     }
-    const double flux = 2 * 1000 * 20e-3 * 2.95e-3 * 50;
+    const double flux = 2 * 1000 * 20e-3 * 10e-3 * 45;
     EXPECT_LE(row.momentum.norm(), 1e-12 * flux);
     if (touching)
     {
@@ -91,10 +91,10 @@ void expect_walls_to_meet(Method method, double spacing)
       testing::Test::RecordProperty("drift", std::to_string(1e3 * ledger.worst_drift()) + "e-3");
     }
   }
-  // Nodes and particles stand for half a spacing, the mesh for none.
-  const double touch = method == Method::sph ? .6 * spacing : 0;
-  EXPECT_LT(least[0], -.5e-3); // without, they pass through each other
-  EXPECT_GT(least[1], touch - .15 * spacing);
+  // Without, they pass through each other. With: a node that leaks is pressed in by
+  // more than an element, and particles meet at their spacing, pressed by a third.
+  EXPECT_LT(least[0], -1.5 * spacing);
+  EXPECT_GT(least[1], method == Method::sph ? .6 * spacing : -spacing);
   testing::Test::RecordProperty("opening_um", std::to_string(1e6 * least[1]));
   testing::Test::RecordProperty("opening_without_um", std::to_string(1e6 * least[0]));
 }
@@ -135,7 +135,7 @@ std::string write_stack()
   return path;
 }
 
-/// It stands on its lowest side under a load of 2e5 g.
+/// It stands on its lowest side under a load of 1e5 m/s^2, put on at once.
 input::Scene stack()
 {
   auto scene = scenes::steel_scene(Dimension::plane_strain);
@@ -156,16 +156,16 @@ input::Scene stack()
   weight.name         = "weight";
   weight.body         = "stack";
   weight.kind         = input::BoundaryKind::body_force;
-  weight.acceleration = Vec3(0, -2e6, 0);
+  weight.acceleration = Vec3(0, -1e5, 0);
   scene.boundaries    = {foot, weight};
   scene.contacts.push_back({"blocks", "stack", "stack", .3, .1});
   return scene;
 }
 } // namespace
 
-// Loose blocks of one body on each other swing about their rest and stay: for 30
-// periods of the stack as a column (4 L/c = 31 us with c^2 = E/(1 - nu^2)/rho).
-// The weight presses the column by rho g L^2/(2 E') = 74 um at most twice over.
+// Loose blocks of one body on each other swing about their rest for 1 ms, 30 periods of
+// the column: they neither sink (a node that leaks would take its block down by an
+// element, 1 mm) nor walk, and the books keep.
 TEST(SelfContact, StackOfFragmentsStands)
 {
   scenes::Driver<2> run(stack());
@@ -187,12 +187,13 @@ TEST(SelfContact, StackOfFragmentsStands)
     if (run.time > .8e-3)
       late = std::min(late, down);
   }
-  EXPECT_LT(lowest, -74e-6);
-  EXPECT_GT(lowest, -2.5 * 74e-6);
-  EXPECT_GT(late, 1.05 * lowest); // it does not sink
-  EXPECT_LT(aside, 60e-6);        // nor walk
+  // Twice the static squeeze rho g L^2/(2 E/(1 - nu^2)) of the column, at least.
+  EXPECT_LT(lowest, -2 * 3.6e-6);
+  EXPECT_GT(lowest, -100e-6);
+  EXPECT_GT(late, 1.1 * lowest);
+  EXPECT_LT(aside, 100e-6);
   EXPECT_EQ(run.model.lost_contacts(), 0);
-  EXPECT_LE(std::abs(ledger.worst_drift()), 5e-3);
+  EXPECT_LE(std::abs(ledger.worst_drift()), 1e-3);
   testing::Test::RecordProperty("drift", std::to_string(1e3 * ledger.worst_drift()) + "e-3");
   testing::Test::RecordProperty("lowest_um", std::to_string(1e6 * lowest));
 }
@@ -233,9 +234,68 @@ void expect_restart(const input::Scene &scene, double until, double after)
 }
 } // namespace
 
+namespace
+{
+/// A soft bar of particles, 16 x 3 mm, drawn apart at 2 x 150 m/s between rigid walls
+/// 24 mm apart: it tears without damage, its ends come back from the walls and
+/// meet again.
+input::Scene torn_bar()
+{
+  auto scene = scenes::steel_scene(Dimension::plane_strain);
+  make_soft(scene);
+  auto &soft                      = scene.materials.front();
+  soft.strength.law               = "linear-hardening";
+  soft.strength.yield_stress      = 2e6;
+  soft.strength.hardening_modulus = 0;
+  scenes::add_box(scene, "bar", Method::sph, {-8e-3, -1.5e-3, 0}, {8e-3, 1.5e-3, 0}, .5e-3, Vec3::Zero());
+  scene.bodies.back().velocity_field       = "stretch";
+  scene.bodies.back().velocity_field_speed = 150;
+  for (const double side : {-1., 1.})
+  {
+    input::RigidWall wall;
+    wall.name   = side < 0 ? "left" : "right";
+    wall.point  = Vec3(12e-3 * side, 0, 0);
+    wall.normal = Vec3(-side, 0, 0);
+    scene.walls.push_back(wall);
+  }
+  scene.contacts.push_back({"pieces", "bar", "bar", .2, .1});
+  return scene;
+}
+} // namespace
+
+// Torn without damage, pieces stay pieces: where they come back to each other after
+// 130 us they meet by contact, with friction, and are not welded.
+TEST(SelfContact, PiecesOfATornBarMeet)
+{
+  scenes::Driver<2> run(torn_bar());
+  Ledger            ledger;
+  auto              row = run.model.ledger();
+  ledger.enter(row);
+  double most = 0, first = 0, flux = 0;
+  const auto sample = run.model.sample(0);
+  for (std::size_t i = 0; i < sample.mass.size(); ++i)
+    flux += sample.mass[i] * std::abs(sample.v[0][i]);
+  while (run.time < 200e-6)
+  {
+    run.step();
+    row = run.model.ledger();
+    ledger.enter(row);
+    if (row.contact > 0 && first == 0)
+      first = run.time;
+    most = std::max(most, row.contact);
+  }
+  EXPECT_GT(first, 100e-6);
+  EXPECT_GT(most, .01 * row.kinetic);
+  EXPECT_GT(row.friction, 0);
+  EXPECT_LE((row.momentum - row.external_impulse).norm(), 1e-12 * flux);
+  EXPECT_LE(std::abs(ledger.worst_drift()), 1e-3);
+  testing::Test::RecordProperty("drift", std::to_string(1e3 * ledger.worst_drift()) + "e-3");
+}
+TEST(SelfContact, PiecesOfATornBarRestartToTheBit) { expect_restart<2>(torn_bar(), 136e-6, 10e-6); }
+
 TEST(SelfContact, StackRestartsToTheBit) { expect_restart<2>(stack(), 20e-6, 30e-6); }
 TEST(SelfContact, CrushedRingOfParticlesRestartsToTheBit)
 {
-  expect_restart<2>(crush(Method::sph, .4e-3, true), 100e-6, 8e-6);
+  expect_restart<2>(crush(Method::sph, .4e-3, true), 120e-6, 5e-6);
 }
 } // namespace ogive::coupling
