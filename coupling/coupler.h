@@ -77,6 +77,11 @@ public:
   std::size_t active_contacts() const { return contacts_->active(); }
   std::int64_t lost_contacts() const { return contacts_->lost(); }
   const std::vector<InitialOverlap> &initial_overlaps() const { return contacts_->initial_overlaps(); }
+  /// What must be moved before the run, where overlaps are to be healed. Whoever
+  /// has moved it makes another Coupler and tells it what this one had found.
+  const std::vector<Move>           &moves() const { return moves_; }
+  const std::vector<InitialOverlap> &healed() const { return healed_; }
+  void report_healed(std::vector<InitialOverlap> healed) { contacts_->report_healed(std::move(healed)); }
   std::size_t tied_particles() const { return slaves_.id.size(); }
 
 private:
@@ -90,5 +95,7 @@ private:
   std::vector<std::unique_ptr<Interface<dim>>> interfaces_;
   Slaves<dim>                                  slaves_;
   std::unique_ptr<ContactSet<dim>>             contacts_;
+  std::vector<Move>                            moves_;
+  std::vector<InitialOverlap>                  healed_;
 };
 } // namespace ogive::coupling

@@ -5,6 +5,7 @@
 #include "core/materials/hugoniot.h"
 #include "core/materials/started_material.h"
 #include "coupling/joined_sample.h"
+#include "coupling/healing.h"
 #include "fem/mesh.h"
 #include "sph/fill.h"
 
@@ -126,6 +127,21 @@ template <int dim>
 Model<dim>::Model(const input::Scene &scene)
   : n_walls_(scene.walls.size())
 {
+  build(scene, {});
+  if (const auto moves = coupler_->moves(); !moves.empty())
+  {
+    const auto healed = coupler_->healed();
+    coupler_.reset();
+    mesh_notes_.clear();
+    contact_bodies_.clear();
+    build(scene, moves);
+    coupler_->report_healed(healed);
+  }
+}
+
+template <int dim>
+void Model<dim>::build(const input::Scene &scene, const std::vector<Move> &moves)
+{
   const auto                              materials = build_materials(scene);
   std::vector<fem::BodyMesh<dim>>         meshes;
   std::vector<sph::BodyParticles<dim>>    clouds;
@@ -151,6 +167,8 @@ Model<dim>::Model(const input::Scene &scene)
       start(clouds.back(), body);
     }
   }
+  if (!moves.empty())
+    move_points<dim>(moves, scene, meshes, clouds);
   if (!meshes.empty())
     fem_ = std::make_unique<fem::Solver<dim>>(
       fem::Parameters{scene.fem, scene.dimension == input::Dimension::axisymmetric, scene.symmetry, scene.walls,

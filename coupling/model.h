@@ -78,6 +78,9 @@ public:
   double        fem_seconds() const { return fem_seconds_; }
 
 private:
+  /// `moves`: of points that would overlap.
+  void build(const input::Scene &, const std::vector<Move> &moves);
+
   std::size_t                        n_walls_;
   std::vector<std::pair<int, int>>   contact_bodies_; ///< of each contact of the scene
   std::unique_ptr<fem::Solver<dim>>  fem_;

@@ -74,8 +74,7 @@ public:
     for (const std::string &note : model_.mesh_notes())
       log_.warn(note);
     for (const InitialOverlap &o : model_.initial_overlaps())
-      log_.warn("contact \"" + o.contact + "\": " + std::to_string(o.count) + " points overlap at the start, by up to " +
-                engineering(o.worst) + " m; their gap counts as zero until it opens");
+      log_.warn(o.describe());
     if (const double bare = model_.ledger().gradient_fallbacks; bare > 0)
       log_.warn(std::to_string(static_cast<int>(bare)) + " particles begin without a corrected gradient: a body, or a " +
                 "part of one, is a single particle thick there; its elastic energy is not to be trusted. Take a smaller spacing");
@@ -311,6 +310,7 @@ Plan make_plan(const input::Scene &scene)
   plan.steps     = std::ceil(scene.end_time / plan.limit.dt);
   plan.mass      = model.ledger().mass;
   plan.ties      = model.ties();
+  plan.overlaps  = model.initial_overlaps();
   plan.added_mass_fraction = added_mass<dim>(scene, model);
   plan.meshes    = model.mesh_qualities(scene);
   // an iteration costs about two steps, and it takes hundreds

@@ -59,6 +59,8 @@ public:
   void drive_slaves(const std::array<std::span<const double>, dim> &v) override { solver_.drive_slaves(v); }
   void slave_forces(const std::array<std::span<double>, dim> &f) const override { solver_.slave_forces(f); }
   std::span<const std::uint32_t> index_of_id() const override { return solver_.index_of_id(); }
+  std::span<const double>        damage() const override { return solver_.damage(); }
+  void set_pieces(std::span<const std::int64_t> pieces) override { solver_.set_pieces(pieces); }
 
   void set_riders(const sph::Newcomers<dim> &riders) override { solver_.set_riders(riders); }
   typename ParticlePort<dim>::Riders riders(int body) override

@@ -75,6 +75,10 @@ public:
   virtual void         drive_slaves(const std::array<std::span<const double>, dim> &v)     = 0;
   virtual void         slave_forces(const std::array<std::span<double>, dim> &force) const = 0;
   virtual std::span<const std::uint32_t> index_of_id() const                               = 0;
+  /// Damage of each particle by its present index; empty where nothing breaks.
+  virtual std::span<const double> damage() const { return {}; }
+  /// By id: pairs of two labels, neither negative, are contact's from now on.
+  virtual void set_pieces(std::span<const std::int64_t>) {}
 
   /// See sph::Solver.
   struct Riders
@@ -105,6 +109,7 @@ struct Faces
 {
   std::array<Surface<dim>, 2>    of;
   std::span<const std::uint32_t> particle_index; ///< present index of each particle id
+  std::span<const double>        damage;         ///< of the particles; empty: none
 
   static Faces look(MeshPort<dim> *mesh, ParticlePort<dim> *particles);
 

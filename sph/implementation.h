@@ -110,6 +110,8 @@ struct Solver<dim>::Implementation
   std::vector<std::uint32_t> index_of_id;
   std::vector<std::int64_t>  near_surface; ///< kept through a rebuild's first sweep: part of the state
   std::vector<std::uint32_t> contact_points;
+  std::vector<std::int64_t>  pieces; ///< by id, see set_pieces(): part of the state
+  bool                       pieces_stale = false; ///< the lists are of others
   AlignedVector<double>      radius;
   bool                       surface_stale = true;
   std::size_t                failed        = 0; ///< particles with damage >= 1
@@ -169,6 +171,8 @@ struct Solver<dim>::Implementation
   void rebuild_lists(); ///< from store.x_listed
   void size_pairs(Pairs &) const;
   void list_images(const std::array<std::span<const double>, dim> &x);
+  /// Drops the pairs of two pieces.
+  void part_pieces(NeighbourRows &) const;
   void list_riders(const std::array<std::span<const double>, dim> &x, const std::vector<std::array<std::size_t, 2>> &images_of_riders);
   void pack_motion();
   void reflect_motion();

@@ -190,6 +190,19 @@ StepStatus Solver<dim>::step(const TimeStep &t)
 }
 
 template <int dim>
+std::span<const double> Solver<dim>::damage() const
+{
+  return {self_->store.points.damage.data(), self_->n_own()};
+}
+
+template <int dim>
+void Solver<dim>::set_pieces(std::span<const std::int64_t> piece_of_id)
+{
+  self_->pieces.assign(piece_of_id.begin(), piece_of_id.end());
+  self_->pieces_stale = true;
+}
+
+template <int dim>
 StepLimit Solver<dim>::stable_dt() const
 {
   using L         = Layout<dim>;

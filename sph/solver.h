@@ -86,6 +86,12 @@ public:
   /// Present index of each particle id (particles are reordered as they move).
   std::span<const std::uint32_t> index_of_id() const;
 
+  /// Damage of each particle by its present index.
+  std::span<const double> damage() const;
+  /// Parts a body: particles of two pieces, by id and neither negative, are no
+  /// pair from the next step on. Nothing else tells pieces from one body.
+  void set_pieces(std::span<const std::int64_t> piece_of_id);
+
   /// Lets particles come in, between two steps; snapshots taken before are void.
   /// The body may have had none. Returns their ids, which follow the largest so
   /// far. InputError where the options do not allow it.

@@ -23,7 +23,7 @@ void Solver<dim>::Implementation::keep()
 {
   if (!kept)
     kept = std::make_unique<State>();
-  *kept = {store, reference.deformation, near_surface, works, time, time_listed, wall_forces, updates, topology, diagnostics.rebuilds};
+  *kept = {store, reference.deformation, near_surface, works, time, time_listed, wall_forces, updates, topology, diagnostics.rebuilds, pieces};
 }
 
 template <int dim>
@@ -39,6 +39,7 @@ void Solver<dim>::Implementation::go_back()
   time_listed      = kept->time_listed;
   wall_forces      = kept->wall_forces;
   updates          = kept->updates;
+  pieces           = kept->pieces;
   if (topology != kept->topology)
     kept->topology = ++topology;
   follow(lists);
@@ -63,6 +64,9 @@ void Solver<dim>::Implementation::write(ArchiveWriter &out, const std::string &p
   out.write(prefix + "/id", std::span<const std::int64_t>(store.id));
   out.write(prefix + "/fixed", std::span<const std::int64_t>(store.fixed));
   out.write(prefix + "/near_surface", std::span<const std::int64_t>(near_surface));
+  std::vector<std::int64_t> parts{static_cast<std::int64_t>(pieces.size())};
+  parts.insert(parts.end(), pieces.begin(), pieces.end());
+  out.write(prefix + "/pieces", std::span<const std::int64_t>(parts));
   out.write(prefix + "/touch", std::span<const std::int64_t>(store.touch));
   const double work[8] = {works.external,   works.wall_loss,  works.friction, works.impulse[0],
                           works.impulse[1], works.impulse[2], time,           time_listed};
@@ -142,6 +146,8 @@ void Solver<dim>::Implementation::read(const ArchiveReader &in, const std::strin
   wall_forces     = in.doubles(prefix + "/wall_forces");
   fit("wall_forces", wall_forces.size(), parameters.walls.size());
   updates = static_cast<std::uint64_t>(in.integer(prefix + "/updates"));
+  const auto parts = in.integers(prefix + "/pieces");
+  pieces.assign(parts.begin() + 1, parts.end());
   ++topology;
   follow(true);
 }
