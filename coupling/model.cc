@@ -7,6 +7,7 @@
 #include "fem/mesh.h"
 #include "sph/fill.h"
 
+#include <algorithm>
 #include <ctime>
 #include <map>
 #include <utility>
@@ -91,10 +92,36 @@ void start(sph::BodyParticles<dim> &particles, const input::Body &body)
     throw InputError({"", 0, "Bodies/" + body.name + entry}, e.complaint());
   }
 }
+
+template <int dim>
+void set_velocity(sph::BodyParticles<dim> &particles, const Setup &setup)
+{
+  for (std::size_t i = 0; setup.velocity && i < particles.x.size(); ++i)
+  {
+    Vec3 x = Vec3::Zero();
+    std::copy(particles.x[i].begin(), particles.x[i].end(), x.data());
+    const Vec3 v = setup.velocity(particles.body, x);
+    std::copy_n(v.data(), dim, particles.v[i].begin());
+  }
+}
+
+template <int dim>
+void set_velocity(fem::BodyMesh<dim> &mesh, const Setup &setup)
+{
+  for (std::size_t i = 0; setup.velocity && i < mesh.n_nodes(); ++i)
+  {
+    Vec3 x = Vec3::Zero();
+    for (int a = 0; a < dim; ++a)
+      x[a] = mesh.x[a][i];
+    const Vec3 v = setup.velocity(mesh.body, x);
+    for (int a = 0; a < dim; ++a)
+      mesh.v[a][i] = v[a];
+  }
+}
 } // namespace
 
 template <int dim>
-Model<dim>::Model(const input::Scene &scene)
+Model<dim>::Model(const input::Scene &scene, const Setup &setup)
   : n_walls_(scene.walls.size())
 {
   const auto                              materials = build_materials(scene);
@@ -107,12 +134,14 @@ Model<dim>::Model(const input::Scene &scene)
     if (body.method == input::Method::fem)
     {
       meshes.push_back(fem::make_mesh<dim>(body, scene, static_cast<int>(b), material));
+      set_velocity(meshes.back(), setup);
       for (const std::string &note : meshes.back().notes)
         mesh_notes_.push_back("body \"" + body.name + "\": " + note);
     }
     else
     {
       clouds.push_back(sph::fill<dim>(body, scene, static_cast<int>(b), material));
+      set_velocity(clouds.back(), setup);
       start(clouds.back(), body);
     }
   }
@@ -124,7 +153,7 @@ Model<dim>::Model(const input::Scene &scene)
   if (!clouds.empty())
     sph_ = std::make_unique<sph::Solver<dim>>(
       sph::Parameters{scene.sph, scene.dimension == input::Dimension::axisymmetric, scene.symmetry, scene.walls,
-                      scene.boundaries, boundary_bodies(scene)},
+                      scene.boundaries, boundary_bodies(scene), setup.mirrors},
       std::move(clouds));
   coupler_ = std::make_unique<Coupler<dim>>(scene, fem_.get(), sph_.get());
   for (const input::Contact &contact : scene.contacts)
