@@ -238,42 +238,37 @@ double shortest_wavelength(const SeamSpec &seam)
   return 4 * std::max(seam.side[0].size, seam.side[1].size);
 }
 
-std::vector<double> reflection(const SeamSpec &seam, const SeamWave &wave, const std::vector<double> &wavelengths)
+double reflection(const SeamSpec &seam, const SeamWave &wave, double wavelength)
 {
   check(seam, wave);
-  require(wave.angle == 0 && !wavelengths.empty(), "normal incidence, at one wavelength at least");
+  require(wave.angle == 0 && wavelength > 0, "normal incidence");
   Speeds speeds;
   elastic_part(seam.material, speeds);
-  const double shortest = *std::min_element(wavelengths.begin(), wavelengths.end());
-  const double large    = std::max(seam.side[0].size, seam.side[1].size);
+  const double small = std::min(seam.side[0].size, seam.side[1].size);
+  const double large = std::max(seam.side[0].size, seam.side[1].size);
   Strip        strip;
-  strip.sigma = 5. / 16 * shortest;
-  strip.start = 6 * strip.sigma;
-  strip.path  = std::max(12 * shortest, 24 * large);
+  strip.sigma = .375 * wavelength;
+  strip.start = 3.5 * strip.sigma;
+  strip.path  = std::max(3.5 * wavelength, 16 * large);
   strip.time  = (strip.start + strip.path) / (wave.shear ? speeds.s : speeds.p);
-  strip.width = seam.line ? 0 : whole_width(seam, 6 * std::min(seam.side[0].size, seam.side[1].size));
+  strip.width = seam.line ? 0 : whole_width(seam, 6 * small);
   const double side     = sign_of(wave.from);
   const int    along    = wave.shear ? 1 : 0;
+  const double k        = 2 * pi / wavelength;
   const auto   velocity = [&](const Vec3 &x) {
-    const double s = (x[0] - side * strip.start) / strip.sigma;
+    const double s = x[0] - side * strip.start;
     Vec3         v = Vec3::Zero();
-    v[along]       = -amplitude * speeds.p * s * std::exp(-.5 * s * s);
+    v[along]       = amplitude * speeds.p * std::sin(k * s) * std::exp(-.5 * s * s / (strip.sigma * strip.sigma));
     return v;
   };
-  const Pair          pair = run_both(seam, strip, wave.from, wave.shear, velocity);
-  std::vector<double> shares;
-  for (const double wavelength : wavelengths)
-  {
-    const auto phase = [&](double x) { return std::polar(1., -2 * pi * x / wavelength); };
-    std::complex<double> back = 0, packet = 0;
-    for (std::size_t i = 0; i < pair.mass.size(); ++i)
-      back += pair.mass[i] * pair.echo[i][along] * phase(pair.x[i][0]);
-    for (std::size_t i = 0; i < pair.single.mass.size(); ++i)
-      if (side * pair.single.x0[0][i] < strip.start)
-        packet += pair.single.mass[i] * pair.single.v[along][i] * phase(pair.single.x0[0][i]);
-    shares.push_back(std::abs(back) / std::abs(packet));
-  }
-  return shares;
+  const Pair           pair = run_both(seam, strip, wave.from, wave.shear, velocity);
+  std::complex<double> back = 0, packet = 0;
+  for (std::size_t i = 0; i < pair.mass.size(); ++i)
+    back += pair.mass[i] * pair.echo[i][along] * std::polar(1., -k * pair.x[i][0]);
+  for (std::size_t i = 0; i < pair.single.mass.size(); ++i)
+    if (side * pair.single.x0[0][i] < strip.start)
+      packet += pair.single.mass[i] * pair.single.v[along][i] * std::polar(1., -k * pair.single.x0[0][i]);
+  return std::abs(back) / std::abs(packet);
 }
 
 double oblique_reflection(const SeamSpec &seam, const SeamWave &wave, double wavelength)

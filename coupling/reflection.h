@@ -41,18 +41,19 @@ struct SeamWave
   double angle = 0;     ///< between its direction and the seam's normal, rad
 };
 
-/// Share of the amplitude that comes back at normal incidence, for each of the
-/// wavelengths (m), by one run with a short pulse: the Fourier sum of m v e^{-ikx}
-/// over the incident side, of the difference between the run with the seam and
-/// the run without, over that of the packet in the run without after the same
-/// time; m and v mass and velocity of particles or nodes. Wave number and
-/// amplitudes are those of the incident side, so that what the side itself takes
-/// from the wave (viscosity) or disperses drops out.
-/// The pulse is v = -(s/sigma) exp(-s^2/2 sigma^2) with sigma = 5/16 of the
-/// shortest wavelength: its spectrum is .24 to .61 of its greatest value from
-/// the shortest wavelength to eight times it.
+/// Share of the amplitude that comes back at normal incidence: the Fourier sum
+/// of m v e^{-ikx}, k = 2 pi/wavelength (m), over the incident side, of the
+/// difference between the run with the seam and the run without, over that of
+/// the packet in the run without after the same time; m and v mass and velocity
+/// of particles or nodes. Wave number and amplitudes are those of the incident
+/// side, so that what the side itself takes from the wave (viscosity) or
+/// disperses drops out. The packet is v = sin(k s) exp(-s^2/2 sigma^2), sigma =
+/// 3/8 of the wavelength: waves of half the length have .06 of its amplitude.
+/// (One pulse for all wavelengths would do for a linear strip. But viscosities
+/// that act in compression alone turn a strong echo of short waves into a weak
+/// one of long waves.)
 /// InputError if the seam cannot be built.
-std::vector<double> reflection(const SeamSpec &, const SeamWave &, const std::vector<double> &wavelengths);
+double reflection(const SeamSpec &, const SeamWave &, double wavelength);
 
 /// The same at an angle, for one wavelength: a packet of relative width 1/5 in
 /// the wave number across the seam, between two mirrors that stand half a
