@@ -212,11 +212,22 @@ Pair run_both(const SeamSpec &seam, const Strip &strip, int from, bool odd,
   return seam.line ? run_both<1>(seam, strip, from, odd, velocity) : run_both<2>(seam, strip, from, odd, velocity);
 }
 
+/// Mirrors of one axis stand further apart than a neighbourhood.
+double least_width(const SeamSpec &seam)
+{
+  const double support = seam.sph.kernel == "quintic" ? 3 : 2; // over h
+  double       width   = 0;
+  for (const SeamSide &side : seam.side)
+    if (side.method == input::Method::sph)
+      width = side.size * (1 + 1.1 * support * seam.sph.h_over_dx * std::max(1., seam.sph.correction_support));
+  return width;
+}
+
 /// A width along the seam of whole elements and whole spacings near `least`.
 double whole_width(const SeamSpec &seam, double least)
 {
   const double large = std::max(seam.side[0].size, seam.side[1].size);
-  return whole(least, large);
+  return whole(std::max(least, least_width(seam)), large);
 }
 
 void check(const SeamSpec &seam, const SeamWave &wave)
@@ -251,7 +262,7 @@ double reflection(const SeamSpec &seam, const SeamWave &wave, double wavelength)
   strip.start = 3.5 * strip.sigma;
   strip.path  = std::max(3.5 * wavelength, 16 * large);
   strip.time  = (strip.start + strip.path) / (wave.shear ? speeds.s : speeds.p);
-  strip.width = seam.line ? 0 : whole_width(seam, 6 * small);
+  strip.width = seam.line ? 0 : whole_width(seam, 4 * small);
   const double side     = sign_of(wave.from);
   const int    along    = wave.shear ? 1 : 0;
   const double k        = 2 * pi / wavelength;
