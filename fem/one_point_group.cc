@@ -118,7 +118,9 @@ void OnePointGroup<Element>::book_energy(std::size_t pack, VDouble work, VDouble
   VDouble q = load(&viscous_pressure_[e]);
   if (corrected_)
     q -= load(&weak_pressure_[e]);
-  const VDouble heat = load(&half_viscous_[e]) - .5 * q * motion.trace * shape.volume + correction;
+  VDouble heat = load(&half_viscous_[e]) - .5 * q * motion.trace * shape.volume + correction;
+  if (!damping_share_.empty())
+    heat += half_damping(pack, motion) * shape.volume;
   store(load(&hourglass_energy_[e]) + patterns, &hourglass_energy_[e]);
   store(load(&viscous_heat_[e]) + heat, &viscous_heat_[e]);
   store(load(&points_.energy[e]) + (work - patterns) / load(&mass_[e]), &points_.energy[e]);
@@ -320,6 +322,7 @@ void OnePointGroup<Element>::stress(std::size_t pack, const Shape &shape, const 
   if (!damping_share_.empty())
   {
     const VDouble share = add_damping(pack, length, motion, sigma);
+    store(load(&half_viscous_[e]) + half_damping(pack, motion) * shape.volume, &half_viscous_[e]);
     damping += share * shape.volume * (stdx::max(stiffness, VDouble(0.)) * weight.divergence + 2. * shear * weight.largest);
   }
   for (int k = 0; k < 6; ++k)
@@ -350,7 +353,7 @@ void OnePointGroup<Element>::stress(std::size_t pack, const Shape &shape, const 
 }
 
 /// Adds the viscous stress of damp(); returns its share of stiffness, s. Its heat
-/// is part of the internal energy, and no column of its own has it.
+/// is booked with that of the bulk viscosity.
 template <class Element>
 VDouble OnePointGroup<Element>::add_damping(std::size_t pack, const VDouble &length, const Motion &motion,
                                             VDouble (&sigma)[6])
@@ -368,6 +371,16 @@ VDouble OnePointGroup<Element>::add_damping(std::size_t pack, const VDouble &len
     sigma[k] += viscous;
   }
   return share;
+}
+
+/// Half of the work of the viscous stress in place on a strain, J/m^3.
+template <class Element>
+VDouble OnePointGroup<Element>::half_damping(std::size_t pack, const Motion &motion) const
+{
+  VDouble work(0.);
+  for (int k = 0; k < 6; ++k)
+    work += (k < 3 ? .5 : 1.) * load(&damping_stress_[k][pack * width]) * motion.strain[k];
+  return work;
 }
 
 template <class Element>

@@ -92,6 +92,7 @@ private:
   void bury(std::size_t e);
 
   VDouble add_damping(std::size_t pack, const VDouble &length, const Motion &, VDouble (&sigma)[6]);
+  VDouble half_damping(std::size_t pack, const Motion &) const;
 
   // one_point_correction.cc
   VDouble weak_share(const VDouble &length, const VDouble &rate, const VDouble &sound_speed) const;
