@@ -41,7 +41,8 @@ materials::Parameters elastic_part(const materials::Parameters &given, Speeds &s
   return p;
 }
 
-/// Lengths of a measurement, m, s.
+/// Lengths of a measurement, m, s. The packet parts in two halves; the one that
+/// runs away from the seam reaches the end of the strip when all is over.
 struct Strip
 {
   double width  = 0; ///< along the seam
@@ -106,7 +107,7 @@ void hold_sides(input::Scene &scene, bool odd)
 input::Scene with_seam(const SeamSpec &seam, const Strip &strip, int from, bool odd)
 {
   input::Scene scene = strip_scene(seam);
-  const double in = strip.start + strip.path, out = .5 * strip.path + 4 * strip.sigma;
+  const double in = 2 * strip.start + strip.path, out = .5 * strip.path + 4 * strip.sigma;
   const auto  &a = seam.side[0], &b = seam.side[1];
   scene.bodies.push_back(strip_body(a, -whole(from == 0 ? in : out, a.size), 0, strip.width));
   scene.bodies.push_back(strip_body(b, 0, whole(from == 1 ? in : out, b.size), strip.width));
@@ -133,7 +134,7 @@ input::Scene without_seam(const SeamSpec &seam, const Strip &strip, int from, bo
 {
   input::Scene scene = strip_scene(seam);
   const auto  &side  = seam.side[from];
-  const double in = whole(strip.start + strip.path, side.size), out = whole(strip.path + 4 * strip.sigma, side.size);
+  const double in = whole(2 * strip.start + strip.path, side.size), out = whole(strip.path + 4 * strip.sigma, side.size);
   scene.bodies.push_back(strip_body(side, from == 0 ? -in : -out, from == 0 ? out : in, strip.width));
   hold_sides(scene, odd);
   return scene;
@@ -282,8 +283,10 @@ double reflection(const SeamSpec &seam, const SeamWave &wave, double wavelength)
   return std::abs(back) / std::abs(packet);
 }
 
-double oblique_reflection(const SeamSpec &seam, const SeamWave &wave, double wavelength)
+double oblique_reflection(const SeamSpec &given, const SeamWave &wave, double wavelength)
 {
+  SeamSpec seam        = given;
+  seam.fem.bulk_linear = seam.fem.bulk_quadratic = 0;
   check(seam, wave);
   require(!seam.line && wave.angle > 0 && wave.angle < .5 * pi, "an angle between the normal and the seam");
   Speeds speeds;

@@ -60,7 +60,8 @@ double reflection(const SeamSpec &, const SeamWave &, double wavelength);
 /// wavelength along the seam apart, so that it is the sum of two plane waves at
 /// +- angle. The root of the kinetic energy that comes back, of P and S waves
 /// together, over that of the packet. The distance of the mirrors is rounded to
-/// whole elements, the angle kept.
+/// whole elements, the angle kept. The elements have no bulk viscosity here: it
+/// takes much from a P packet and little from the S waves that come back of it.
 double oblique_reflection(const SeamSpec &, const SeamWave &, double wavelength);
 
 /// Shortest wavelength that both sides carry, m: four of the larger size.
