@@ -9,6 +9,7 @@
 #include "fem/mesh.h"
 #include "sph/fill.h"
 
+#include <algorithm>
 #include <ctime>
 #include <map>
 #include <utility>
@@ -121,10 +122,36 @@ void start(sph::BodyParticles<dim> &particles, const input::Body &body)
     throw InputError({"", 0, "Bodies/" + body.name + entry}, e.complaint());
   }
 }
+
+template <int dim>
+void set_velocity(sph::BodyParticles<dim> &particles, const Setup &setup)
+{
+  for (std::size_t i = 0; setup.velocity && i < particles.x.size(); ++i)
+  {
+    Vec3 x = Vec3::Zero();
+    std::copy(particles.x[i].begin(), particles.x[i].end(), x.data());
+    const Vec3 v = setup.velocity(particles.body, x);
+    std::copy_n(v.data(), dim, particles.v[i].begin());
+  }
+}
+
+template <int dim>
+void set_velocity(fem::BodyMesh<dim> &mesh, const Setup &setup)
+{
+  for (std::size_t i = 0; setup.velocity && i < mesh.n_nodes(); ++i)
+  {
+    Vec3 x = Vec3::Zero();
+    for (int a = 0; a < dim; ++a)
+      x[a] = mesh.x[a][i];
+    const Vec3 v = setup.velocity(mesh.body, x);
+    for (int a = 0; a < dim; ++a)
+      mesh.v[a][i] = v[a];
+  }
+}
 } // namespace
 
 template <int dim>
-Model<dim>::Model(const input::Scene &scene)
+Model<dim>::Model(const input::Scene &scene, const Setup &setup)
   : n_walls_(scene.walls.size())
 {
   build(scene, {});
@@ -153,6 +180,7 @@ void Model<dim>::build(const input::Scene &scene, const std::vector<Move> &moves
     if (body.method != input::Method::sph)
     {
       meshes.push_back(fem::make_mesh<dim>(body, scene, static_cast<int>(b), material));
+      set_velocity(meshes.back(), setup);
       for (const std::string &note : meshes.back().notes)
         mesh_notes_.push_back("body \"" + body.name + "\": " + note);
     }
@@ -164,6 +192,7 @@ void Model<dim>::build(const input::Scene &scene, const std::vector<Move> &moves
     if (body.method == input::Method::sph)
     {
       clouds.push_back(sph::fill<dim>(body, scene, static_cast<int>(b), material));
+      set_velocity(clouds.back(), setup);
       start(clouds.back(), body);
     }
   }
@@ -177,7 +206,7 @@ void Model<dim>::build(const input::Scene &scene, const std::vector<Move> &moves
   if (!clouds.empty())
     sph_ = std::make_unique<sph::Solver<dim>>(
       sph::Parameters{scene.sph, scene.dimension == input::Dimension::axisymmetric, scene.symmetry, scene.walls,
-                      scene.boundaries, boundary_bodies(scene)},
+                      scene.boundaries, boundary_bodies(scene), setup.mirrors},
       std::move(clouds));
   if (!held.empty())
   {

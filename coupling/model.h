@@ -14,19 +14,27 @@
 #include "fem/solver.h"
 #include "sph/solver.h"
 
+#include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
 
 namespace ogive::coupling
 {
+/// What a measurement adds to a scene, and no scene file can.
+struct Setup
+{
+  std::vector<sph::Mirror>                mirrors;  ///< of all bodies of particles
+  std::function<Vec3(int body, const Vec3 &x)> velocity; ///< at the start, m/s, in place of the bodies'
+};
+
 /// The bodies of a scene in their solvers, and the layer between: everything
 /// that moves, nothing that watches.
 template <int dim>
 class Model
 {
 public:
-  explicit Model(const input::Scene &);
+  explicit Model(const input::Scene &, const Setup & = {});
 
   StepLimit stable_dt() const;
 

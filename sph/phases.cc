@@ -175,7 +175,7 @@ void Solver<dim>::Implementation::energy(double kick)
     for (int a = 0; a < dim; ++a)
     {
       to[L::x + a] = ghosts.sign[g][a] * from[L::x + a] + shift(g, a, time);
-      to[L::v + a] = ghosts.sign[g][a] * from[L::v + a] + shift_rate(g, a);
+      to[L::v + a] = ghosts.turn[g] * ghosts.sign[g][a] * from[L::v + a] + shift_rate(g, a);
     }
     to[L::weight] = share(g) * from[L::weight];
   }

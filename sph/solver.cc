@@ -69,6 +69,7 @@ Solver<dim>::Implementation::Implementation(const Parameters &p, std::vector<Bod
   check(o);
   reference.on = o.configuration == "reference";
   require(p.boundaries.size() == p.boundary_bodies.size(), "one body per boundary");
+  require(p.mirrors.empty() || (p.walls.empty() && !reference.on), "mirrors go without walls and reference configuration");
   shares        = lattice_shares<dim>(o);
   if (p.axisymmetric)
   {

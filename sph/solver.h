@@ -9,6 +9,7 @@
 #include "core/io/archive.h"
 #include "core/materials/material.h"
 #include "core/time/time_step.h"
+#include "sph/mirror.h"
 #include "sph/newcomers.h"
 
 #include <array>
@@ -44,6 +45,7 @@ struct Parameters
   std::vector<input::RigidWall>      walls;
   std::vector<input::Boundary>       boundaries; ///< fixed and velocity, by Boundary::body through `boundary_bodies`
   std::vector<int>                   boundary_bodies;
+  std::vector<Mirror>                mirrors{}; ///< for measurements; not with walls or a reference configuration
 };
 
 /// What a run should watch.
