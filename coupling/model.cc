@@ -2,6 +2,7 @@
 #include "coupling/model.h"
 
 #include "core/base/error.h"
+#include "core/base/log.h"
 #include "core/materials/hugoniot.h"
 #include "core/materials/started_material.h"
 #include "fem/mesh.h"
@@ -126,41 +127,110 @@ Model<dim>::Model(const input::Scene &scene)
       sph::Parameters{scene.sph, scene.dimension == input::Dimension::axisymmetric, scene.symmetry, scene.walls,
                       scene.boundaries, boundary_bodies(scene)},
       std::move(clouds));
-  coupler_ = std::make_unique<Coupler<dim>>(scene, fem_.get(), sph_.get());
+  coupler_    = std::make_unique<Coupler<dim>>(scene, fem_.get(), sph_.get());
+  subcycling_ = Subcycling(scene.subcycling, fem_ && sph_);
+  if (subcycling_.mesh_is_coarse())
+    fem_->allow_parts();
+  if (subcycling_.particles_are_coarse())
+    sph_->allow_parts();
+  if (subcycling_.on())
+    subcycling_.measure(ledger().kinetic);
   for (const input::Contact &contact : scene.contacts)
     contact_bodies_.emplace_back(body_index(scene, contact.first), body_index(scene, contact.second));
 }
 
+/// Of what steps more often, contact among it.
 template <int dim>
-StepLimit Model<dim>::stable_dt() const
+StepLimit Model<dim>::fine_limit() const
 {
   StepLimit limit = coupler_->stable_dt();
-  if (fem_)
+  if (fem_ && !subcycling_.mesh_is_coarse())
     limit.tighten(fem_->stable_dt());
-  if (sph_)
+  if (sph_ && !subcycling_.particles_are_coarse())
     limit.tighten(sph_->stable_dt());
   return limit;
 }
 
 template <int dim>
+StepLimit Model<dim>::coarse_limit() const
+{
+  return subcycling_.mesh_is_coarse()       ? fem_->stable_dt() :
+         subcycling_.particles_are_coarse() ? sph_->stable_dt() :
+                                              StepLimit();
+}
+
+template <int dim>
+StepLimit Model<dim>::stable_dt() const
+{
+  return subcycling_.limit(fine_limit(), coarse_limit());
+}
+
+namespace
+{
+/// A part of a step: for a solver that steps finely a step, for the other one
+/// the beginning, the middle or the end of one.
+template <class Solver>
+StepStatus take(Solver &solver, bool coarse, const TimeStep &whole, const TimeStep &part, bool first, bool last)
+{
+  if (!coarse)
+    return solver.step(part);
+  const StepStatus status = first ? solver.begin(whole, part) : solver.go_on(part);
+  return last && status.ok ? solver.finish(whole) : status;
+}
+} // namespace
+
+template <int dim>
 StepStatus Model<dim>::step(const TimeStep &step)
 {
-  coupler_->gather();
+  parts_ = subcycling_.on() ? subcycling_.parts(step, fine_limit().dt) : 1;
+  StepStatus status;
+  for (std::size_t j = 0; j < parts_ && status.ok; ++j)
+    status = take_part(step, j);
+  return status;
+}
+
+template <int dim>
+StepStatus Model<dim>::take_part(const TimeStep &whole, std::size_t j)
+{
+  const bool     first = j == 0, last = j + 1 == parts_;
+  const TimeStep part = subcycling_.part(whole, parts_, j);
+  // Coarse particles push what carries them once, over their own kick.
+  coupler_->gather(!subcycling_.particles_are_coarse() ? 1. : first ? whole.kick / part.kick : 0.);
   StepStatus status;
   if (fem_)
   {
     const Stopwatch watch(fem_seconds_);
-    status = fem_->step(step);
+    status = take(*fem_, subcycling_.mesh_is_coarse(), whole, part, first, last);
   }
   coupler_->drive();
   if (sph_ && status.ok)
   {
     const Stopwatch watch(sph_seconds_);
-    status = sph_->step(step);
+    status = take(*sph_, subcycling_.particles_are_coarse(), whole, part, first, last);
   }
   if (status.ok)
-    coupler_->close(step);
+    coupler_->close(part);
+  subcycling_.took(part);
   return status;
+}
+
+template <int dim>
+double Model<dim>::parts_error(Party party) const
+{
+  return party == mesh_party ? (subcycling_.mesh_is_coarse() ? fem_->parts_error() : 0.) :
+                               (subcycling_.particles_are_coarse() ? sph_->parts_error() : 0.);
+}
+
+template <int dim>
+std::string Model<dim>::review()
+{
+  if (!subcycling_.on())
+    return {};
+  const double error = coupler_->balance().interface_work + parts_error(particle_party) + parts_error(mesh_party);
+  if (!subcycling_.review(error, [this] { return ledger().kinetic; }))
+    return {};
+  return "the error of the interfaces has come to " + engineering(error) +
+         " J by steps in parts, more than Subcycling/energy limit allows: particles and elements step alike from now on";
 }
 
 template <int dim>
@@ -171,6 +241,7 @@ void Model<dim>::snapshot()
   if (sph_)
     sph_->snapshot();
   coupler_->snapshot();
+  subcycling_.snapshot();
 }
 
 template <int dim>
@@ -181,6 +252,7 @@ void Model<dim>::restore()
   if (sph_)
     sph_->restore();
   coupler_->restore();
+  subcycling_.restore();
 }
 
 template <int dim>
@@ -191,6 +263,7 @@ void Model<dim>::save(ArchiveWriter &archive) const
   if (sph_)
     sph_->save(archive, "sph");
   coupler_->save(archive, "coupling");
+  subcycling_.save(archive, "coupling");
 }
 
 template <int dim>
@@ -201,12 +274,20 @@ void Model<dim>::load(const ArchiveReader &archive)
   if (sph_)
     sph_->load(archive, "sph");
   coupler_->load(archive, "coupling");
+  subcycling_.load(archive, "coupling");
 }
 
 template <int dim>
 LedgerRow Model<dim>::ledger() const
 {
-  return ledger_row(fem_ ? fem_->balance() : Balance(), sph_ ? sph_->balance() : Balance(), coupler_->balance());
+  CouplingBalance coupling = coupler_->balance();
+  for (const Party party : {mesh_party, particle_party})
+  {
+    const double error = parts_error(party);
+    coupling.interface_work += error;
+    (party == mesh_party ? coupling.work_on_mesh : coupling.work_on_particles) += error;
+  }
+  return ledger_row(fem_ ? fem_->balance() : Balance(), sph_ ? sph_->balance() : Balance(), coupling);
 }
 
 template <int dim>

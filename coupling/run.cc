@@ -100,6 +100,8 @@ public:
       }
       clock_.advance();
       report_.limited_by(limit);
+      if (const std::string note = model_.review(); !note.empty())
+        log_.warn(note);
       watch(step);
     }
     return finish();

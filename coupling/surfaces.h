@@ -70,6 +70,9 @@ struct Faces
 {
   std::array<Surface<dim>, 2>    of;
   std::span<const std::uint32_t> particle_index; ///< present index of each particle id
+  /// Of the forces that the particle solver found at t_n, as far as others take
+  /// them from it: 1, or in a part of a step what acts in that part.
+  double particle_share = 1;
 
   static Faces look(MeshPort<dim> *mesh, ParticlePort<dim> *particles);
 

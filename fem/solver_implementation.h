@@ -10,6 +10,7 @@
 #include "fem/loads.h"
 #include "fem/nodes.h"
 #include "fem/solver.h"
+#include "fem/substeps.h"
 
 #include <string>
 #include <vector>
@@ -45,6 +46,7 @@ struct Solver<dim>::Implementation
   /// since then.
   AlignedVector<double>                           sharpening{1., 0.};
   std::vector<AlignedVector<double>>              mark;        ///< the snapshot
+  Substeps<dim>                                   parts_of_step;
 
   void       build(std::vector<BodyMesh<dim>>);
   std::vector<std::uint32_t> wall_nodes(const std::vector<BodyMesh<dim>> &) const;
@@ -58,6 +60,9 @@ struct Solver<dim>::Implementation
       group->rebury();
     review_erosion();
   }
+  void       start(const TimeStep &whole, const TimeStep &part);
+  StepStatus advance_elements(const TimeStep &);
+  StepStatus review();
   void       kick(const TimeStep &);
   void       fold_forces();
   void       book_loads(double kick);
@@ -78,6 +83,12 @@ struct Solver<dim>::Implementation
       f(std::string("force_") + axis[i], nodes.force[i]);
     }
     f("mass", nodes.mass);
+    if (parts_of_step.on())
+    {
+      for (int i = 0; i < dim; ++i)
+        f(std::string("shift_") + axis[i], parts_of_step.shift[i]);
+      f("parts_error", parts_of_step.error);
+    }
     f("wall_force", walls.forces());
     if (parameters.options.step_bound == "power-iteration")
     {

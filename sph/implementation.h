@@ -26,6 +26,8 @@ struct Works
   /// Pull of each wall's images not yet made good by later pressure, N s, <= 0:
   /// friction waits for it, so that in the sum it is mu times the net impulse.
   std::vector<double> pull{};
+  /// Energy that steps in parts gave the particles and took from no pair, J.
+  double parts_error = 0;
 };
 
 /// What the reference configuration keeps; empty in the current one. But for
@@ -46,7 +48,7 @@ struct ReferenceState
 /// step; viscous.cc, correct.cc, support.cc: forces, the correction and its
 /// support; motion.cc: kick, boundaries, drift; lists.cc: rebuild and records;
 /// images.cc: images behind rigid walls; surface.cc: what contact sees;
-/// reference/reference.cc: the reference configuration; axis.cc: axial symmetry;
+/// substeps.cc: steps in parts; reference/reference.cc: the reference configuration; axis.cc: axial symmetry;
 /// state.cc: snapshots and checkpoints.
 template <int dim>
 struct Solver<dim>::Implementation
@@ -112,6 +114,8 @@ struct Solver<dim>::Implementation
   std::vector<char>                   is_slave; ///< by id
   PerAxis<std::vector<double>>        slave_velocity; ///< by id
 
+  PerAxis<AlignedVector<double>>      part_first, part_path, part_shift; ///< within a step in parts (substeps.cc)
+
   double              time = 0, time_listed = 0; ///< of x and of x_listed, s
   Works               works;
   std::vector<double> wall_forces;
@@ -171,6 +175,9 @@ struct Solver<dim>::Implementation
   {
     return &records[(store.size() + g) * stride];
   }
+
+  // solver.cc
+  StepStatus arrive(const TimeStep &); ///< all that follows from new positions
 
   // phases.cc
   /// Gradients at x(t_n); with dt > 0 also the material's step.

@@ -179,26 +179,30 @@ StepStatus Solver<dim>::step(const TimeStep &t)
   auto &s = *self_;
   s.kick(t);
   s.energy(t.kick);
-  StepStatus status = s.drift(t.drift);
-  s.time            = t.time + t.drift;
-  if (!status.ok)
-    return status;
-  if (s.lists_are_stale())
+  const StepStatus status = s.drift(t.drift);
+  return status.ok ? s.arrive(t) : status;
+}
+
+template <int dim>
+StepStatus Solver<dim>::Implementation::arrive(const TimeStep &t)
+{
+  time = t.time + t.drift;
+  if (lists_are_stale())
   {
-    s.sort_particles();
-    s.rebuild_lists();
-    s.surface_stale = true;
+    sort_particles();
+    rebuild_lists();
+    surface_stale = true;
   }
-  s.touch_walls();
-  s.store.swept_density = s.store.points.density;
-  status                = s.advance_material(t.drift);
+  touch_walls();
+  store.swept_density     = store.points.density;
+  const StepStatus status = advance_material(t.drift);
   if (!status.ok)
     return status;
-  s.advance_switch(t.drift);
-  if (s.surface_stale)
-    s.find_surface();
-  s.forces();
-  s.updates += s.store.size();
+  advance_switch(t.drift);
+  if (surface_stale)
+    find_surface();
+  forces();
+  updates += store.size();
   return {};
 }
 

@@ -64,6 +64,17 @@ public:
   StepLimit     stable_dt() const;
   Surface<dim>  surface();
   StepStatus    step(const TimeStep &);
+  /// The same step in parts, for a coupling layer that pushes and looks more
+  /// often: begin, go_on for each further part, finish. Surface::force and the
+  /// velocities of slaves are asked for before begin and each go_on, and act
+  /// over that part; forces between particles, walls and planes act once, over
+  /// the kick of the whole. Announce it with allow_parts() at the initial state.
+  void          allow_parts();
+  StepStatus    begin(const TimeStep &whole, const TimeStep &part);
+  StepStatus    go_on(const TimeStep &part);
+  StepStatus    finish(const TimeStep &whole);
+  /// Energy that steps in parts gave the particles and took from no pair, J (sph/substeps.cc).
+  double        parts_error() const;
   Balance       balance() const;
   void          snapshot();
   void          restore();
