@@ -62,7 +62,10 @@ void Coupler<dim>::build_interfaces(const input::Scene &scene)
     spec.mesh_body     = entry.mesh;
     spec.particles     = body_named(scene, entry.particles, entry.name);
     spec.mesh          = body_named(scene, entry.mesh, entry.name);
-    spec.symmetry_axes = cut_axes(scene);
+    spec.symmetry_axes  = cut_axes(scene);
+    spec.axisymmetric   = axisymmetric_;
+    spec.damping        = entry.damping;
+    spec.pair_viscosity = entry.pair_viscosity;
     if (party_of(scene, spec.particles) != particle_party || party_of(scene, spec.mesh) != mesh_party)
       throw InputError({scene.file, 0, entry.name},
                        "an interface joins a body of particles and a body of elements",

@@ -2,6 +2,7 @@
 #include "coupling/interface.h"
 
 #include "core/base/error.h"
+#include "coupling/interface_pair_flux.h"
 #include "coupling/interface_tied.h"
 
 #include <algorithm>
@@ -26,6 +27,7 @@ const std::vector<std::pair<std::string, Maker<dim>>> &registry()
 {
   static const std::vector<std::pair<std::string, Maker<dim>>> methods{
     {"tied", make<dim, TiedInterface<dim>>},
+    {"pair-flux", make<dim, PairFluxInterface<dim>>},
   };
   return methods;
 }

@@ -20,6 +20,9 @@ struct InterfaceSpec
   int              particles = 0, mesh = 0; ///< index into Scene::bodies
   std::string      particle_body, mesh_body;
   std::vector<int> symmetry_axes;
+  bool             axisymmetric = false;
+  double           damping = .1, pair_viscosity = 1; ///< see input::Interface
+  int              per_edge = 0; ///< particles an edge of converting elements; 0: two bodies
 };
 
 /// Particles that some mesh carries, of all interfaces together: a particle

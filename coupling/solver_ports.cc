@@ -29,6 +29,20 @@ public:
     return true;
   }
 
+  typename MeshPort<dim>::Cells cells(int body) const override
+  {
+    auto cells = solver_.cells(body);
+    return {std::move(cells.element), std::move(cells.node)};
+  }
+  void copy_state(std::uint32_t element, materials::Points &to, std::size_t k) const override
+  {
+    solver_.copy_state(element, to, k);
+  }
+  void damp(int body, std::span<const std::uint32_t> elements, double share) override
+  {
+    solver_.damp(body, elements, share);
+  }
+
 private:
   fem::Solver<dim> &solver_;
 };
@@ -45,6 +59,23 @@ public:
   void drive_slaves(const std::array<std::span<const double>, dim> &v) override { solver_.drive_slaves(v); }
   void slave_forces(const std::array<std::span<double>, dim> &f) const override { solver_.slave_forces(f); }
   std::span<const std::uint32_t> index_of_id() const override { return solver_.index_of_id(); }
+
+  void set_riders(const sph::Newcomers<dim> &riders) override { solver_.set_riders(riders); }
+  typename ParticlePort<dim>::Riders riders(int body) override
+  {
+    const auto r = solver_.riders(body);
+    return {r.velocity, r.state};
+  }
+  void set_seam_hourglass(int body, double c) override { solver_.set_seam_hourglass(body, c); }
+  void seam_forces(int body, const std::array<std::span<double>, dim> &f) const override
+  {
+    solver_.seam_forces(body, f);
+  }
+  double                              seam_work() const override { return solver_.seam_work(); }
+  typename ParticlePort<dim>::Lattice lattice(int body) const override
+  {
+    return {solver_.cell(body), solver_.reach(body)};
+  }
 
 private:
   sph::Solver<dim> &solver_;

@@ -2,7 +2,10 @@
 #pragma once
 
 #include "core/base/culprit.h"
+#include "core/base/error.h"
 #include "core/base/surface.h"
+#include "core/materials/points.h"
+#include "sph/newcomers.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -47,6 +50,17 @@ public:
   virtual void         add_mass(std::uint32_t node, double mass)                            = 0;
   virtual bool         embed(std::uint32_t element, const std::array<double, dim> &point, double reach,
                              Embedding<dim> &result) const = 0;
+
+  /// The elements of a body that live, their corners in VTK order.
+  struct Cells
+  {
+    std::vector<std::uint32_t>                         element;
+    std::vector<std::array<std::uint32_t, (1 << dim)>> node;
+  };
+  // Asked by interfaces that continue particles into the mesh.
+  virtual Cells cells(int) const { throw InputError("this mesh does not name its cells"); }
+  virtual void  copy_state(std::uint32_t, materials::Points &, std::size_t) const {}
+  virtual void  damp(int, std::span<const std::uint32_t>, double) {}
 };
 
 /// What the coupling layer asks of a particle solver.
@@ -61,6 +75,26 @@ public:
   virtual void         drive_slaves(const std::array<std::span<const double>, dim> &v)     = 0;
   virtual void         slave_forces(const std::array<std::span<double>, dim> &force) const = 0;
   virtual std::span<const std::uint32_t> index_of_id() const                               = 0;
+
+  /// See sph::Solver.
+  struct Riders
+  {
+    std::array<std::span<double>, dim> velocity;
+    materials::Points                 *state = nullptr;
+  };
+  virtual void   set_riders(const sph::Newcomers<dim> &) { throw InputError("these particles take no riders"); }
+  virtual Riders riders(int) { return {}; }
+  virtual void   set_seam_hourglass(int, double) {}
+  virtual void   seam_forces(int, const std::array<std::span<double>, dim> &) const {}
+  virtual double seam_work() const { return 0; }
+  /// Distances of the layers of a body's lattice at the start, m, and how far its
+  /// particles reach, m.
+  struct Lattice
+  {
+    std::array<double, dim> cell{};
+    double                  reach = 0;
+  };
+  virtual Lattice lattice(int) const { return {}; }
 };
 
 /// The surfaces of both parties as they are now; the one of an absent party

@@ -89,6 +89,12 @@ public:
     std::array<double, corners> mass{};
     double                      internal_energy = 0;
   };
+  /// History of a cell, the mean over its points, into entry k.
+  virtual void copy_state(std::size_t cell, materials::Points &, std::size_t k) const = 0;
+  /// Viscous stress `share` (L/c) C : D in these elements, in none else; L the
+  /// size of an element. One-point elements only; others have none.
+  virtual void damp(std::span<const std::size_t>, double) {}
+
   /// Death of elements. Formulations whose elements cannot die keep these.
   /// Called once before the first step: places the nodes of the grave.
   virtual void prepare_erosion(Nodes<dim> &)

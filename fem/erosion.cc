@@ -52,6 +52,7 @@ void Erosion<dim>::list_sides(const BodyMesh<dim> &mesh, const GroupPlace &place
     side.facet.element = static_cast<std::uint32_t>(place.first_element + cell);
     side.facet.outward = outward;
     side.other         = other;
+    side.facet.bared   = other >= 0;
     sides_.push_back(side);
   };
   // Faces under a tie too: what a third body strikes must be closed.

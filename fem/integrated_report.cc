@@ -169,6 +169,20 @@ void IntegratedGroup<Element>::add_energies(Balance &balance) const
 /// Cells of a spectral element lie between its nodes and show the mean of their
 /// corners; other elements show the mean of their points.
 template <class Element>
+void IntegratedGroup<Element>::copy_state(std::size_t cell, materials::Points &to, std::size_t k) const
+{
+  std::vector<AlignedVector<double> *> fields;
+  to.for_each_array([&](const char *, AlignedVector<double> &field) { fields.push_back(&field); });
+  std::size_t f = 0;
+  const_cast<materials::Points &>(points_).for_each_array([&](const char *, AlignedVector<double> &field) {
+    double &mean = (*fields[f++])[k];
+    mean         = 0;
+    for (int c = 0; c < Base::corners; ++c)
+      mean += field[slot(cell / cells_of, corner_of<Element>(cell % cells_of, c), points_of)] / Base::corners;
+  });
+}
+
+template <class Element>
 void IntegratedGroup<Element>::sample(const Nodes<dim> &all, Sample &sample) const
 {
   const std::size_t count = cells(), first = std::find(all.body.begin(), all.body.end(), body_) - all.body.begin();

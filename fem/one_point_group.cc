@@ -316,10 +316,14 @@ void OnePointGroup<Element>::stress(std::size_t pack, const Shape &shape, const 
 
   VDouble sigma[6], power(0.);
   for (int k = 0; k < 6; ++k)
-  {
     sigma[k] = load(&points_.sigma[k][e]) - (k < 3 ? q : VDouble(0.));
-    power += sigma[k] * motion.dual[k];
+  if (!damping_share_.empty())
+  {
+    const VDouble share = add_damping(pack, length, motion, sigma);
+    damping += share * shape.volume * (stdx::max(stiffness, VDouble(0.)) * weight.divergence + 2. * shear * weight.largest);
   }
+  for (int k = 0; k < 6; ++k)
+    power += sigma[k] * motion.dual[k];
   store(.5 * shape.volume * power + load(&half_hourglass_[e]) * (1. / dt), &half_power_[e]);
   VDouble force[corners][dim];
   fem::corner_forces<Element, VDouble>(shape, sigma, Q, force);
@@ -343,6 +347,38 @@ void OnePointGroup<Element>::stress(std::size_t pack, const Shape &shape, const 
       if (bound[lane] == largest)
         limit_[1] = static_cast<double>(std::min(e + lane, n_ - 1));
   }
+}
+
+/// Adds the viscous stress of damp(); returns its share of stiffness, s. Its heat
+/// is part of the internal energy, and no column of its own has it.
+template <class Element>
+VDouble OnePointGroup<Element>::add_damping(std::size_t pack, const VDouble &length, const Motion &motion,
+                                            VDouble (&sigma)[6])
+{
+  const std::size_t e       = pack * width;
+  const VDouble     density = load(&points_.density[e]), c = load(&points_.sound_speed[e]);
+  const VDouble     share   = load(&damping_share_[e]) * length / c;
+  const double      shear   = shear_modulus_;
+  const VDouble     lame    = density * c * c - 2. * shear;
+  const VDouble     trace   = motion.dual[0] + motion.dual[1] + motion.dual[2];
+  for (int k = 0; k < 6; ++k)
+  {
+    const VDouble viscous = share * (k < 3 ? VDouble(lame * trace + 2. * shear * motion.dual[k]) : VDouble(shear * motion.dual[k]));
+    store(viscous, &damping_stress_[k][e]);
+    sigma[k] += viscous;
+  }
+  return share;
+}
+
+template <class Element>
+void OnePointGroup<Element>::damp(std::span<const std::size_t> elements, double share)
+{
+  damping_share_.assign(elements.empty() ? 0 : padded_n_, 0.);
+  for (auto &component : damping_stress_)
+    component.assign(damping_share_.size(), 0.);
+  for (const std::size_t e : elements)
+    for (std::size_t k = e; k < (e + 1 == n_ ? padded_n_ : e + 1); ++k)
+      damping_share_[k] = share;
 }
 
 template class OnePointGroup<Line2>;

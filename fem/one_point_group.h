@@ -37,6 +37,9 @@ public:
   void       sample(const Nodes<dim> &, Sample &) const override;
   void       for_each_state(const Visitor &) override;
 
+  void copy_state(std::size_t e, materials::Points &to, std::size_t k) const override;
+  void damp(std::span<const std::size_t>, double share) override;
+
   using typename ElementGroup<dim>::Remains;
   void    prepare_erosion(Nodes<dim> &) override;
   void    find_failed(const input::Erosion &, std::vector<std::size_t> &) const override;
@@ -88,6 +91,8 @@ private:
   /// Points the corners of e to its own nodes or to the grave.
   void bury(std::size_t e);
 
+  VDouble add_damping(std::size_t pack, const VDouble &length, const Motion &, VDouble (&sigma)[6]);
+
   // one_point_correction.cc
   VDouble weak_share(const VDouble &length, const VDouble &rate, const VDouble &sound_speed) const;
   void    add_weak(std::size_t pack, const Shape &, const VDouble &pressure);
@@ -119,6 +124,8 @@ private:
   std::vector<double>   ring_mass_, section_mass_; ///< kg, kg/m at the body's nodes; area-weighted only
   AlignedVector<double> Q_;                 ///< hourglass forces, N, packs of modes x dim
   AlignedVector<double> viscous_pressure_;  ///< Pa
+  AlignedVector<double> damping_share_; ///< see damp(); empty: none
+  std::array<AlignedVector<double>, 6> damping_stress_; ///< Pa, of the last step
   AlignedVector<double> weak_pressure_;     ///< Pa: the part of it that is corrected
   std::array<AlignedVector<double>, dim> weak_force_, weak_acceleration_; ///< N, m/s^2 at t_n, by that part alone
   AlignedVector<double> half_correction_;   ///< W: half of the power of the corrected forces at the last velocities

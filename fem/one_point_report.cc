@@ -193,6 +193,18 @@ void OnePointGroup<Element>::for_each_state(const Visitor &visit)
   }
 }
 
+template <class Element>
+void OnePointGroup<Element>::copy_state(std::size_t e, materials::Points &to, std::size_t k) const
+{
+  std::vector<AlignedVector<double> *> fields;
+  to.for_each_array([&](const char *, AlignedVector<double> &field) { fields.push_back(&field); });
+  std::size_t f = 0;
+  const_cast<materials::Points &>(points_).for_each_array(
+    [&](const char *, AlignedVector<double> &field) { (*fields[f++])[k] = field[e]; });
+  for (std::size_t c = 0; c < 6 && !damping_share_.empty(); ++c)
+    to.sigma[c][k] += damping_stress_[c][e];
+}
+
 template class OnePointGroup<Line2>;
 template class OnePointGroup<Quad4>;
 template class OnePointGroup<Quad4Axisymmetric>;

@@ -13,6 +13,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -107,6 +108,19 @@ public:
   /// Finds weights of the element with which `point` moves; false if Newton's
   /// method does not converge or |xi| > 1 + reach for all xi.
   bool embed(std::uint32_t element, const std::array<double, dim> &point, double reach, Embedding &) const;
+
+  /// The elements of a body that live, and the corners of each, VTK order.
+  struct Cells
+  {
+    std::vector<std::uint32_t>                         element;
+    std::vector<std::array<std::uint32_t, (1 << dim)>> node;
+  };
+  Cells cells(int body) const;
+  /// History of an element, the mean over its points, into entry k.
+  void copy_state(std::uint32_t element, materials::Points &, std::size_t k) const;
+  /// Viscous stress `share` (L/c) C : D in these elements of a body (numerics: the
+  /// damping of stiffness at a seam), in none of its others.
+  void damp(int body, std::span<const std::uint32_t> elements, double share);
 
   const std::vector<TieReport> &ties() const;
 

@@ -254,6 +254,46 @@ bool Solver<dim>::embed(std::uint32_t element, const std::array<double, dim> &po
   return weights_of_point<dim>(x, point, reach, out.weight);
 }
 
+template <int dim>
+auto Solver<dim>::cells(int body) const -> Cells
+{
+  const auto &s = *self_;
+  Cells       all;
+  for (std::size_t g = 0; g < s.groups.size(); ++g)
+    for (std::size_t e = 0; s.groups[g]->body() == body && e < s.groups[g]->cells(); ++e)
+      if (s.groups[g]->alive(e))
+      {
+        all.element.push_back(static_cast<std::uint32_t>(s.parts[g].first_element + e));
+        all.node.push_back(s.groups[g]->nodes(e));
+      }
+  return all;
+}
+
+template <int dim>
+void Solver<dim>::copy_state(std::uint32_t element, materials::Points &to, std::size_t k) const
+{
+  const auto &s = *self_;
+  std::size_t g = 0;
+  while (g + 1 < s.parts.size() && element >= s.parts[g + 1].first_element)
+    ++g;
+  s.groups[g]->copy_state(element - s.parts[g].first_element, to, k);
+}
+
+template <int dim>
+void Solver<dim>::damp(int body, std::span<const std::uint32_t> elements, double share)
+{
+  auto &s = *self_;
+  for (std::size_t g = 0; g < s.groups.size(); ++g)
+  {
+    if (s.groups[g]->body() != body)
+      continue;
+    std::vector<std::size_t> own;
+    for (const std::uint32_t e : elements)
+      own.push_back(e - s.parts[g].first_element);
+    s.groups[g]->damp(own, share);
+  }
+}
+
 template class Solver<1>;
 template class Solver<2>;
 template class Solver<3>;

@@ -30,8 +30,8 @@ template <int dim>
 void Solver<dim>::Implementation::pack_correction()
 {
   const std::size_t stride = variable ? L::wide_correction_stride : L::correction_stride;
-  for (const auto &b : bodies)
-    for (std::size_t i = b.first; i < b.last; ++i)
+  const auto        pack   = [&](const Body &b, std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i)
     {
       const double *motion = &force_records[i * L::force_stride];
       const double  rho = motion[L::density], volume = store.mass[i] / rho;
@@ -46,6 +46,10 @@ void Solver<dim>::Implementation::pack_correction()
       if (variable)
         r[L::reach] = reach[i];
     }
+  };
+  for (const auto &b : bodies)
+    pack(b, b.first, b.last);
+  for_each_rider_range(pack);
 }
 
 /// `is_velocity`: the vector moves with the wall that reflects it.

@@ -175,6 +175,8 @@ void Solver<dim>::Implementation::find_active()
 template <int dim>
 void Solver<dim>::Implementation::append_images(Images &m)
 {
+  if (m.bits == 0) // riders
+    return;
   m.range.clear();
   for (const auto &b : bodies)
   {
@@ -256,6 +258,15 @@ void Solver<dim>::Implementation::sweep_all(Function f, AlignedVector<double> &s
   add_images(&Images::sums, stride, 0, n_fields, sums);
 }
 
+/// Gradients and the like: riders have them too.
+template <int dim>
+void Solver<dim>::Implementation::sweep_riders_too(Function f, AlignedVector<double> &sums, std::size_t stride,
+                                                   std::size_t n_fields)
+{
+  sweep_all(f, sums, stride, n_fields);
+  for_each_rider_range([&](const Body &b, std::size_t, std::size_t) { (b.sweeps.*f)(rider_sweep_of(b, sums.data())); });
+}
+
 template <int dim>
 void Solver<dim>::Implementation::add_all(Function f, AlignedVector<double> &sums, std::size_t stride,
                                           std::size_t n_fields)
@@ -320,6 +331,8 @@ void Solver<dim>::Implementation::book_images(double kick)
                                                           AlignedVector<double> Images::*);                  \
   template void   Solver<d>::Implementation::sweep_all(Function, AlignedVector<double> &, std::size_t,       \
                                                        std::size_t);                                         \
+  template void   Solver<d>::Implementation::sweep_riders_too(Function, AlignedVector<double> &, std::size_t, \
+                                                              std::size_t);                                  \
   template void   Solver<d>::Implementation::add_all(Function, AlignedVector<double> &, std::size_t,         \
                                                      std::size_t);                                           \
   template void   Solver<d>::Implementation::add_images(const AlignedVector<double> Images::*, std::size_t,  \

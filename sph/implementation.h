@@ -26,6 +26,7 @@ struct Works
   /// Pull of each wall's images not yet made good by later pressure, N s, <= 0:
   /// friction waits for it, so that in the sum it is mu times the net impulse.
   std::vector<double> pull{};
+  double              seam = 0; ///< see Solver::seam_work
   /// Energy that steps in parts gave the particles and took from no pair, J.
   double parts_error = 0;
 };
@@ -65,6 +66,7 @@ struct Solver<dim>::Implementation
   {
     int                                        scene = 0; ///< index into Scene::bodies
     std::size_t                                first = 0, last = 0;
+    std::size_t                                first_rider = 0, last_rider = 0; ///< behind all particles of all bodies
     double                                     spacing = 0, h = 0, skin = 0;
     PerAxis<double>                            half_cell{}; ///< at the start, m
     std::shared_ptr<const materials::Material> material;
@@ -72,6 +74,10 @@ struct Solver<dim>::Implementation
     double                                     list_radius = 0;
     double                                     self_value  = 0; ///< W(0; h_c)
     double                                     centre_value = 0; ///< W(0; h)
+    PerAxis<std::vector<double>>               rider_velocity; ///< of the step, by rider
+    materials::Points                          rider_state;
+    double                                     seam_hourglass = 1; ///< factor of the hourglass control next to riders
+    bool                                       grows = false; ///< particles may come in
   };
 
   Parameters        parameters;
@@ -129,16 +135,49 @@ struct Solver<dim>::Implementation
   Implementation(const Parameters &, std::vector<BodyParticles<dim>>);
   ~Implementation();
 
+  // growth.cc
+  void   size_arrays();
+  Body  &body_of(int scene);
+  void   check_growth() const;
+  void   rearrange(const std::vector<std::size_t> &from);
+  void   put(const Newcomers<dim> &, std::size_t first);
+  void   settle();
+  void   prepare_riders(Body &);
+  void   kick_riders();
+  void   take_rider_states();
+  /// Power of the pairs with riders in the sums of the last energy sweep, and,
+  /// where asked, of their forces on the particles, W.
+  double power_at_seam(bool with_forces) const;
+  /// Particles without riders: [0, n_own()).
+  std::size_t n_own() const { return bodies.empty() ? 0 : bodies.back().last; }
+  bool        any_riders() const { return store.size() > n_own(); }
+  /// The pairs of particles with riders; images without a wall.
+  Images       &seam() { return images.back(); }
+  const Images &seam() const { return images.back(); }
+  bool          seam_pairs(const Body &b, std::size_t i) const
+  {
+    return b.first_rider < b.last_rider && seam().pairs.rows.row[i] < seam().pairs.rows.row[i + 1];
+  }
+  template <class F>
+  void for_each_rider_range(F &&f) const
+  {
+    for (const auto &b : bodies)
+      if (b.first_rider < b.last_rider)
+        f(b, b.first_rider, b.last_rider);
+  }
+
   // lists.cc
   bool lists_are_stale() const;
   void sort_particles();
   void rebuild_lists(); ///< from store.x_listed
   void size_pairs(Pairs &) const;
   void list_images(const std::array<std::span<const double>, dim> &x);
+  void list_riders(const std::array<std::span<const double>, dim> &x, const std::vector<std::array<std::size_t, 2>> &images_of_riders);
   void pack_motion();
   void reflect_motion();
   void reflect_forces();
   Sweep sweep_of(const Body &, Pairs &, double *sums);
+  Sweep rider_sweep_of(const Body &, double *sums);
 
   // images.cc
   void   find_wall_axes();
@@ -167,6 +206,7 @@ struct Solver<dim>::Implementation
 
   /// A sweep over all bodies, images behind walls included, into or onto `sums`.
   void sweep_all(Function, AlignedVector<double> &sums, std::size_t stride, std::size_t n_fields);
+  void sweep_riders_too(Function, AlignedVector<double> &sums, std::size_t stride, std::size_t n_fields);
   void add_all(Function, AlignedVector<double> &sums, std::size_t stride, std::size_t n_fields);
   bool is_used(Function f) const { return bodies.front().sweeps.*f != nullptr; }
   /// Records of the images from those of their parents: `vectors` fields first,
@@ -250,6 +290,7 @@ struct Solver<dim>::Implementation
   void go_back();
   void write(ArchiveWriter &, const std::string &prefix);
   void read(const ArchiveReader &, const std::string &prefix);
+  void read_ranges(const ArchiveReader &, const std::string &prefix);
 
   Culprit culprit(std::size_t i, const char *why) const;
   /// F of the reference configuration.

@@ -49,6 +49,16 @@ bool Solver<dim>::Implementation::lists_are_stale() const
       }
       most = d2 > most ? d2 : most;
     }
+    for (std::size_t i = b.first_rider; i < b.last_rider; ++i)
+    {
+      double d2 = 0;
+      for (int a = 0; a < dim; ++a)
+      {
+        const double d = store.x[a][i] - store.x_listed[a][i] - drifted[a];
+        d2 += d * d;
+      }
+      most = d2 > most ? d2 : most;
+    }
     if (most > limit)
       return true;
   }
@@ -67,6 +77,10 @@ void Solver<dim>::Implementation::sort_particles()
     const auto part = morton_order<dim>(x, b.first, b.last, b.list_radius, store.id);
     order.insert(order.end(), part.begin(), part.end());
   }
+  for_each_rider_range([&](const Body &b, std::size_t first, std::size_t last) {
+    const auto part = morton_order<dim>(x, first, last, b.list_radius, store.id);
+    order.insert(order.end(), part.begin(), part.end());
+  });
   bool sorted = true;
   for (std::size_t k = 0; k < order.size(); ++k)
     sorted &= order[k] == k;
@@ -93,8 +107,20 @@ void Solver<dim>::Implementation::rebuild_lists()
     listed[a] = store.x_listed[a];
   for (const auto &b : bodies)
     ghosts.append<dim>(listed, b.first, b.last, b.list_radius, parameters.symmetry);
+  const bool listed_riders = !images.empty() && images.back().bits == 0;
+  if (any_riders() && !listed_riders)
+    images.emplace_back();
+  if (!any_riders() && listed_riders)
+    images.pop_back();
   for (auto &m : images)
     append_images(m);
+  std::vector<std::array<std::size_t, 2>> images_of_riders;
+  for (const auto &b : bodies)
+    if (any_riders())
+    {
+      ghosts.append<dim>(listed, b.first_rider, b.last_rider, b.list_radius, parameters.symmetry);
+      images_of_riders.push_back(ghosts.range.back());
+    }
   const std::size_t all = n + ghosts.size();
 
   PerAxis<std::vector<double>>             x;
@@ -111,6 +137,8 @@ void Solver<dim>::Implementation::rebuild_lists()
     append_rows<dim>(view, bodies[k].first, bodies[k].last, n + ghosts.range[k][0], n + ghosts.range[k][1],
                      bodies[k].list_radius, static_cast<std::uint32_t>(all), pairs.rows);
   list_images(view);
+  if (any_riders())
+    list_riders(view, images_of_riders);
 
   // One record more: the zeros that fill up the rows.
   force_records.assign((all + 1) * L::force_stride, 0.);
@@ -122,8 +150,8 @@ void Solver<dim>::Implementation::rebuild_lists()
     stress_records.assign((all + 1) * StressLayout<dim>::stride, 0.);
   energy_records.assign((all + 1) * L::energy_stride, 0.);
   size_pairs(pairs);
-  index_of_id.resize(n);
-  for (std::size_t i = 0; i < n; ++i)
+  index_of_id.resize(n_own());
+  for (std::size_t i = 0; i < n_own(); ++i)
     index_of_id[store.id[i]] = static_cast<std::uint32_t>(i);
   for (const auto &b : bodies)
     std::fill(radius.begin() + b.first, radius.begin() + b.last, .5 * b.spacing);
@@ -152,6 +180,8 @@ void Solver<dim>::Implementation::list_images(const std::array<std::span<const d
   const std::size_t n = store.size();
   for (auto &m : images)
   {
+    if (m.bits == 0) // riders
+      continue;
     m.pairs.rows.clear();
     bool any = false;
     for (std::size_t k = 0; k < bodies.size(); ++k)
@@ -164,6 +194,39 @@ void Solver<dim>::Implementation::list_images(const std::array<std::span<const d
     m.sums.assign(any ? n * std::max({L::gradient_stride, L::forces_stride, V::sums_stride, L::means_stride}) : 0, 0.);
     m.forces.assign(any ? n * L::forces_stride : 0, 0.);
   }
+}
+
+/// Rows of the riders over all of their body, and of the particles over the
+/// riders.
+template <int dim>
+void Solver<dim>::Implementation::list_riders(const std::array<std::span<const double>, dim> &x,
+                                              const std::vector<std::array<std::size_t, 2>> &images_of_riders)
+{
+  const std::size_t n     = store.size();
+  const auto        dummy = static_cast<std::uint32_t>(n + ghosts.size());
+  Images           &m     = seam();
+  m.pairs.rows.clear();
+  m.range.clear();
+  for (std::size_t k = 0; k < bodies.size(); ++k)
+  {
+    const Body                &b = bodies[k];
+    std::vector<std::uint32_t> riders, all;
+    const auto                 list = [](std::vector<std::uint32_t> &to, std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i)
+        to.push_back(static_cast<std::uint32_t>(i));
+    };
+    m.range.push_back({b.first_rider, b.last_rider});
+    list(riders, b.first_rider, b.last_rider);
+    list(riders, n + images_of_riders[k][0], n + images_of_riders[k][1]);
+    append_rows_of<dim>(x, b.first, b.last, riders, b.list_radius, dummy, m.pairs.rows);
+    all = riders;
+    list(all, b.first, b.last);
+    list(all, n + ghosts.range[k][0], n + ghosts.range[k][1]);
+    append_rows_of<dim>(x, b.first_rider, b.last_rider, all, b.list_radius, dummy, pairs.rows);
+  }
+  size_pairs(m.pairs);
+  m.sums.assign(n * std::max({L::gradient_stride, L::forces_stride, V::sums_stride, L::means_stride, SensorLayout<dim>::sums_stride}), 0.);
+  m.forces.assign(n * L::forces_stride, 0.);
 }
 
 template <int dim>
@@ -259,7 +322,20 @@ Sweep Solver<dim>::Implementation::sweep_of(const Body &b, Pairs &p, double *sum
   return s;
 }
 
+/// The same over its riders.
+template <int dim>
+Sweep Solver<dim>::Implementation::rider_sweep_of(const Body &b, double *sums)
+{
+  Sweep s = sweep_of(b, pairs, sums);
+  s.begin = b.first_rider;
+  s.end   = b.last_rider;
+  return s;
+}
+
 #define OGIVE_INSTANTIATE(d)                                                                                 \
+  template void  Solver<d>::Implementation::list_riders(const std::array<std::span<const double>, d> &,      \
+                                                        const std::vector<std::array<std::size_t, 2>> &);    \
+  template Sweep Solver<d>::Implementation::rider_sweep_of(const Body &, double *);                          \
   template bool  Solver<d>::Implementation::lists_are_stale() const;                                         \
   template void  Solver<d>::Implementation::sort_particles();                                                \
   template void  Solver<d>::Implementation::rebuild_lists();                                                 \

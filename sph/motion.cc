@@ -27,7 +27,7 @@ void Solver<dim>::Implementation::mark_boundaries(const std::vector<BodyParticle
     const auto &boundary = parameters.boundaries[k];
     for (std::size_t b = 0; b < bodies.size(); ++b)
     {
-      if (bodies[b].scene != parameters.boundary_bodies[k])
+      if (bodies[b].scene != parameters.boundary_bodies[k] || bodies[b].grows)
         continue;
       const bool constant = boundary.kind == input::BoundaryKind::fixed || boundary.kind == input::BoundaryKind::velocity;
       if (!constant || !boundary.history.empty())
@@ -165,8 +165,13 @@ void Solver<dim>::Implementation::book_planes(double kick)
     if (!plane && std::find(wall_axis.begin(), wall_axis.end(), a) == wall_axis.end())
       continue;
     double sum = 0;
-    for (std::size_t i = 0; i < store.size(); ++i)
-      sum += force_sums[i * L::forces_stride + L::f_sum + a];
+    for (const auto &b : bodies)
+      for (std::size_t i = b.first; i < b.last; ++i)
+      {
+        sum += force_sums[i * L::forces_stride + L::f_sum + a];
+        if (seam_pairs(b, i)) // the mesh has the counterforce
+          sum -= seam().forces[i * L::forces_stride + L::f_sum + a];
+      }
     works.impulse[a] += kick * sum;
   }
 }
@@ -203,6 +208,7 @@ void Solver<dim>::Implementation::kick(const TimeStep &t)
           store.v[a][i] += t.kick * f / m;
       }
     }
+  kick_riders();
   share_friction(t);
   for (const auto &b : bodies)
     for (std::size_t i = b.first; i < b.last; ++i)
@@ -237,6 +243,11 @@ StepStatus Solver<dim>::Implementation::drift(double dt)
       if (!(moved < 1e6 * b.h * b.h))
         return {false, culprit(i, "velocity without bound")};
     }
+  for_each_rider_range([&](const Body &, std::size_t first, std::size_t last) {
+    for (int a = 0; a < dim; ++a)
+      for (std::size_t i = first; i < last; ++i)
+        store.x[a][i] += dt * store.v[a][i];
+  });
   return {};
 }
 

@@ -30,7 +30,7 @@ struct Cells
 
 template <int dim>
 Cells<dim> sort_into_cells(const std::array<std::span<const double>, dim> &x,
-                           const std::vector<std::uint32_t> &points, double radius)
+                           std::span<const std::uint32_t> points, double radius)
 {
   Cells<dim>              c;
   std::array<double, dim> upper;
@@ -112,15 +112,9 @@ void scan_run(const Cells<dim> &c, const std::array<double, dim> &at, std::uint3
 } // namespace
 
 template <int dim>
-void append_rows(const std::array<std::span<const double>, dim> &x, std::size_t first, std::size_t last,
-                 std::size_t first_ghost, std::size_t last_ghost, double radius, std::uint32_t dummy,
-                 NeighbourRows &rows, bool only_ghosts)
+void append_rows_of(const std::array<std::span<const double>, dim> &x, std::size_t first, std::size_t last,
+                    std::span<const std::uint32_t> points, double radius, std::uint32_t dummy, NeighbourRows &rows)
 {
-  std::vector<std::uint32_t> points;
-  for (std::size_t i = first; i < last && !only_ghosts; ++i)
-    points.push_back(static_cast<std::uint32_t>(i));
-  for (std::size_t i = first_ghost; i < last_ghost; ++i)
-    points.push_back(static_cast<std::uint32_t>(i));
   if (points.empty())
   {
     rows.row.insert(rows.row.end(), last - first, rows.row.back());
@@ -145,14 +139,28 @@ void append_rows(const std::array<std::span<const double>, dim> &x, std::size_t 
           base = z * c.n[1];
         if constexpr (dim > 1)
           base = (base + y) * c.n[0];
-        scan_run<dim>(c, at, c.start[base + range[0][0]], c.start[base + range[0][1] + 1], radius * radius,
-                      static_cast<std::uint32_t>(i), rows);
+        if (range[0][0] <= range[0][1])
+          scan_run<dim>(c, at, c.start[base + range[0][0]], c.start[base + range[0][1] + 1], radius * radius,
+                        static_cast<std::uint32_t>(i), rows);
       }
     rows.pairs += rows.index.size() - rows.row.back();
     while (rows.index.size() % simd_width != 0)
       rows.index.push_back(dummy);
     rows.row.push_back(rows.index.size());
   }
+}
+
+template <int dim>
+void append_rows(const std::array<std::span<const double>, dim> &x, std::size_t first, std::size_t last,
+                 std::size_t first_ghost, std::size_t last_ghost, double radius, std::uint32_t dummy,
+                 NeighbourRows &rows, bool only_ghosts)
+{
+  std::vector<std::uint32_t> points;
+  for (std::size_t i = first; i < last && !only_ghosts; ++i)
+    points.push_back(static_cast<std::uint32_t>(i));
+  for (std::size_t i = first_ghost; i < last_ghost; ++i)
+    points.push_back(static_cast<std::uint32_t>(i));
+  append_rows_of<dim>(x, first, last, points, radius, dummy, rows);
 }
 
 template <int dim>
@@ -193,6 +201,8 @@ std::vector<std::uint32_t> morton_order(const std::array<std::span<const double>
 }
 
 #define OGIVE_INSTANTIATE(d)                                                                                 \
+  template void append_rows_of<d>(const std::array<std::span<const double>, d> &, std::size_t, std::size_t,  \
+                                  std::span<const std::uint32_t>, double, std::uint32_t, NeighbourRows &);   \
   template void append_rows<d>(const std::array<std::span<const double>, d> &, std::size_t, std::size_t,     \
                                std::size_t, std::size_t, double, std::uint32_t, NeighbourRows &, bool);      \
   template std::vector<std::uint32_t> morton_order<d>(const std::array<std::span<const double>, d> &,        \

@@ -36,6 +36,12 @@ void append_rows(const std::array<std::span<const double>, dim> &x, std::size_t 
                  std::size_t first_ghost, std::size_t last_ghost, double radius, std::uint32_t dummy,
                  NeighbourRows &rows, bool only_ghosts = false);
 
+/// Appends one row for each point of [first, last): all of `points`, itself
+/// excepted, closer than `radius`.
+template <int dim>
+void append_rows_of(const std::array<std::span<const double>, dim> &x, std::size_t first, std::size_t last,
+                    std::span<const std::uint32_t> points, double radius, std::uint32_t dummy, NeighbourRows &rows);
+
 /// Order of [first, last) along a Morton curve over cells of edge `cell`, ties
 /// by `id`.
 template <int dim>

@@ -67,16 +67,18 @@ StepStatus Solver<dim>::Implementation::advance_material(double dt)
   if (reference.on)
     sweep_all(&SweepFunctions::reference_gradient, gradient_sums, L::gradient_stride, 0);
   else
-    sweep_all(&SweepFunctions::gradient, gradient_sums, L::gradient_stride, L::n_gradient);
+    sweep_riders_too(&SweepFunctions::gradient, gradient_sums, L::gradient_stride, L::n_gradient);
   if (summation)
     sum_masses();
+  if (dt > 0)
+    take_rider_states();
   auto       &points = store.points;
   Block       block;
   std::size_t fallbacks = 0, broken = 0;
-  for (const auto &body : bodies)
-    for (std::size_t begin = body.first; begin < body.last; begin += block_size)
+  const auto  take = [&](const Body &body, std::size_t first, std::size_t last, bool rides) -> StepStatus {
+    for (std::size_t begin = first; begin < last; begin += block_size)
     {
-      const std::size_t end = std::min(begin + block_size, body.last);
+      const std::size_t end = std::min(begin + block_size, last);
       std::array<Matrix, block_size> corrected;
       for (std::size_t i = begin; i < end; ++i)
       {
@@ -94,7 +96,7 @@ StepStatus Solver<dim>::Implementation::advance_material(double dt)
         }
         else if (!standard)
         {
-          fallbacks += !corrector<dim>(moment(i), corrected[k]);
+          fallbacks += !corrector<dim>(moment(i), corrected[k]) && !rides;
           l = (l * corrected[k]).eval();
         }
         const Eigen::Map<const Eigen::Matrix<double, dim, 1>> normal(sums + L::normal_sum);
@@ -105,7 +107,7 @@ StepStatus Solver<dim>::Implementation::advance_material(double dt)
         for (int a = 0; a < dim; ++a)
           for (int b = a; b < dim; ++b)
             record[L::rate + L::sym(a, b)] = .5 * (l(a, b) + l(b, a));
-        if (dt > 0)
+        if (dt > 0 && !rides)
         {
           const double hoop = hoop_rate(i), rho = points.density[i];
           middle<dim>(l, hoop, dt, k, block);
@@ -116,7 +118,7 @@ StepStatus Solver<dim>::Implementation::advance_material(double dt)
                                          rho * (1 - dt * hoop) * (Matrix::Identity() - dt * l).determinant();
         }
       }
-      if (dt > 0)
+      if (dt > 0 && !rides)
       {
         std::size_t bad = 0;
         for (std::size_t i = begin; reference.on && i < end; ++i)
@@ -128,9 +130,9 @@ StepStatus Solver<dim>::Implementation::advance_material(double dt)
       for (std::size_t i = begin; i < end; ++i)
       {
         double      *record = &force_records[i * L::force_stride];
-        record[L::sound]  = points.sound_speed[i];
+        record[L::sound]  = points.sound_speed[i] * (rides || seam_pairs(body, i) ? body.seam_hourglass : 1.);
         record[L::damage] = points.damage[i];
-        broken += points.damage[i] >= 1;
+        broken += points.damage[i] >= 1 && !rides;
         if (reference.on)
         {
           pack_reference(body, i, corrected[i - begin]);
@@ -145,6 +147,12 @@ StepStatus Solver<dim>::Implementation::advance_material(double dt)
             record[L::p + a * dim + b] = p(a, b);
       }
     }
+    return {};
+  };
+  for (const auto &body : bodies)
+    if (const StepStatus status = take(body, body.first, body.last, false); !status.ok)
+      return status;
+  for_each_rider_range([&](const Body &body, std::size_t first, std::size_t last) { take(body, first, last, true); });
   diagnostics.fallbacks = fallbacks + reference.fallbacks;
   surface_stale |= broken != failed;
   failed = broken;
@@ -172,15 +180,20 @@ void Solver<dim>::Implementation::energy(double kick)
     to[L::weight] = share(g) * from[L::weight];
   }
   sweep_all(&SweepFunctions::energy, power_sums, L::powers_stride, 3);
+  double seam_power = power_at_seam(true);
   for (const auto power : {&SweepFunctions::artificial_stress_power, &SweepFunctions::viscous_power,
                            &SweepFunctions::correction_power, &SweepFunctions::weak_power})
     if (is_used(power))
+    {
       add_all(power, power_sums, L::powers_stride, 3);
+      seam_power += power_at_seam(false);
+    }
+  works.seam += kick * seam_power;
   if (parameters.axisymmetric)
     heat_hoops();
   if (parameters.options.correction == "shepard")
     share_heat();
-  for (std::size_t i = 0; i < n; ++i)
+  for (std::size_t i = 0; i < n_own(); ++i)
   {
     const double *sums      = &power_sums[i * L::powers_stride];
     const double  per_mass  = kick / store.mass[i];

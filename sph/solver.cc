@@ -96,6 +96,7 @@ Solver<dim>::Implementation::Implementation(const Parameters &p, std::vector<Bod
     b.h        = o.h_over_dx * f.spacing;
     b.skin     = reference.on ? 0. : skin_over_h * b.h;
     b.material = f.material;
+    b.grows    = f.grows;
     with_kernel(o.kernel, [&](auto k) {
       using Kernel   = decltype(k);
       b.list_radius  = Kernel::support * b.h * (correction ? std::max(1., o.correction_support) : 1.) + b.skin;
@@ -109,25 +110,11 @@ Solver<dim>::Implementation::Implementation(const Parameters &p, std::vector<Bod
       b.sweeps.artificial_stress = b.sweeps.artificial_stress_power = nullptr;
     bodies.push_back(b);
   }
+  for (auto &b : bodies)
+    b.first_rider = b.last_rider = n;
   store.resize(n);
-  wave_number.resize(n);
-  radius.resize(n);
-  near_surface.resize(n, 0);
-  gradient_sums.resize(n * L::gradient_stride);
-  force_sums.resize(n * L::forces_stride);
-  power_sums.resize(n * L::powers_stride);
-  viscous_sums.resize(n * V::sums_stride);
-  sensor_sums.resize(sensed ? n * SensorLayout<dim>::sums_stride : 0);
-  mass_sums.resize(summation ? n * padded(1) : 0);
-  mean_sums.resize(correction ? n * L::means_stride : 0);
-  reach.resize(variable ? n : 0);
-  corrected.resize(o.correction == "shepard" ? n * dim : 0);
-  velocity_gradient.resize(n * dim * dim);
-  for (auto *hoop : {&hoop_force, &hoop_viscosity, &hoop_weak})
-    hoop->resize(p.axisymmetric ? n : 0);
+  size_arrays();
   wall_forces.resize(p.walls.size());
-  active.resize(n);
-  press.resize(n * p.walls.size());
   friction_share.resize(p.walls.size());
   works.pull.resize(p.walls.size());
   for (std::size_t k = 0; k < bodies.size(); ++k)
@@ -202,7 +189,7 @@ StepStatus Solver<dim>::Implementation::arrive(const TimeStep &t)
   if (surface_stale)
     find_surface();
   forces();
-  updates += store.size();
+  updates += n_own();
   return {};
 }
 
@@ -213,7 +200,7 @@ StepLimit Solver<dim>::stable_dt() const
   using V         = ViscousLayout<dim>;
   const auto &s   = *self_;
   StepLimit   limit;
-  std::size_t who = s.store.size();
+  std::size_t who = s.n_own();
   for (const auto &body : s.bodies)
     for (std::size_t i = body.first; i < body.last; ++i)
     {
@@ -233,7 +220,7 @@ StepLimit Solver<dim>::stable_dt() const
         who      = i;
       }
     }
-  if (who < s.store.size())
+  if (who < s.n_own())
     limit.culprit = s.culprit(who, "stiffness and viscosity of its pairs");
   return limit;
 }
@@ -265,7 +252,7 @@ Balance Solver<dim>::balance() const
   const auto &s = *self_;
   Balance     b;
   double      internal = 0;
-  for (std::size_t i = 0; i < s.store.size(); ++i)
+  for (std::size_t i = 0; i < s.n_own(); ++i)
   {
     const double m = s.store.mass[i];
     internal += m * s.store.points.energy[i];
@@ -350,7 +337,7 @@ Sample Solver<dim>::sample(int body) const
 template <int dim>
 std::size_t Solver<dim>::size() const
 {
-  return self_->store.size();
+  return self_->n_own();
 }
 template <int dim>
 std::uint64_t Solver<dim>::updates() const
@@ -378,7 +365,7 @@ void Solver<dim>::set_slaves(std::span<const std::int64_t> ids)
 {
   auto &s = *self_;
   s.slave_ids.assign(ids.begin(), ids.end());
-  s.is_slave.assign(ids.empty() ? 0 : s.store.size(), 0);
+  s.is_slave.assign(ids.empty() ? 0 : s.n_own(), 0);
   for (const auto id : ids)
     s.is_slave.at(id) = 1;
   for (auto &v : s.slave_velocity)

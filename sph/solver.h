@@ -9,6 +9,7 @@
 #include "core/io/archive.h"
 #include "core/materials/material.h"
 #include "core/time/time_step.h"
+#include "sph/newcomers.h"
 
 #include <array>
 #include <cstdint>
@@ -29,6 +30,7 @@ struct BodyParticles
   std::array<double, dim>                 cell{};        ///< distances of the layers across each axis, m; 0: spacing
   std::vector<std::array<double, dim>>    x, v;          ///< m, m/s
   std::vector<double>                     mass;          ///< kg
+  bool                                    grows = false; ///< more may come (Solver::add); it may begin with none
   /// For the faces of round bodies; boxes take their faces from the particles.
   input::Shape shape;
 };
@@ -94,6 +96,40 @@ public:
   void slave_forces(const std::array<std::span<double>, dim> &force) const;
   /// Present index of each particle id (particles are reordered as they move).
   std::span<const std::uint32_t> index_of_id() const;
+
+  /// Lets particles come in, between two steps; snapshots taken before are void.
+  /// The body may have had none. Returns their ids, which follow the largest so
+  /// far. InputError where the options do not allow it.
+  std::vector<std::int64_t> add(const Newcomers<dim> &);
+
+  /// Riders complete the neighbourhood of a body's particles within a mesh that
+  /// goes on behind a seam: they stand where a mesh carries them, with its
+  /// stress, and enter gradients and forces of the particles, but have no inertia,
+  /// no energy and no material step of their own, and feel no force. Replaces the
+  /// riders of the body; like add() between two steps. Rider k is entry k.
+  void set_riders(const Newcomers<dim> &);
+  /// What a step must know of the riders of a body, to be written before it:
+  /// velocities at t_{n+1/2} and the state of the material at t_{n+1}.
+  struct Riders
+  {
+    std::size_t                        n = 0;
+    std::array<std::span<double>, dim> velocity; ///< m/s
+    materials::Points                 *state = nullptr;
+  };
+  Riders riders(int body);
+  /// Force of the riders on each particle of the body at t_n, N, by its present
+  /// index; what is not of the body is left alone.
+  void seam_forces(int body, const std::array<std::span<double>, dim> &force) const;
+  /// Coefficient of the hourglass control of riders and of particles with riders
+  /// in reach, where larger than that of the options; before set_riders().
+  void set_seam_hourglass(int body, double coefficient);
+  /// Distances of the layers of a body's lattice at the start, m.
+  std::array<double, dim> cell(int body) const;
+  /// How far two particles of the body may stand apart and be listed as a pair, m.
+  double reach(int body) const;
+  /// Energy that the riders have given the particles so far, J: work on their
+  /// motion and what stress and viscosity of the pairs with riders heat them.
+  double seam_work() const;
 
   /// Normal force sum that rigid wall `w` gave in the last step, N (into the material).
   double wall_force(std::size_t w) const;

@@ -58,6 +58,12 @@ void Solver<dim>::Implementation::write(ArchiveWriter &out, const std::string &p
   const auto &f = reference.deformation;
   if (reference.on)
     out.write(prefix + "/deformation", std::span<const double>(f.data(), f.size()));
+  std::vector<std::int64_t> ranges;
+  for (const auto &b : bodies)
+    for (const std::size_t end : {b.first, b.last, b.first_rider, b.last_rider})
+      ranges.push_back(static_cast<std::int64_t>(end));
+  out.write(prefix + "/ranges", std::span<const std::int64_t>(ranges));
+  out.write(prefix + "/seam_work", std::span<const double>(&works.seam, 1));
   out.write(prefix + "/id", std::span<const std::int64_t>(store.id));
   out.write(prefix + "/fixed", std::span<const std::int64_t>(store.fixed));
   out.write(prefix + "/near_surface", std::span<const std::int64_t>(near_surface));
@@ -70,6 +76,35 @@ void Solver<dim>::Implementation::write(ArchiveWriter &out, const std::string &p
   out.write(prefix + "/wall_pull", std::span<const double>(works.pull));
   out.write(prefix + "/wall_forces", std::span<const double>(wall_forces));
   out.write(prefix + "/updates", static_cast<std::int64_t>(updates));
+}
+
+/// Makes room for the particles of the checkpoint where the scene's own number
+/// may have changed.
+template <int dim>
+void Solver<dim>::Implementation::read_ranges(const ArchiveReader &in, const std::string &prefix)
+{
+  const auto ranges = in.integers(prefix + "/ranges");
+  if (ranges.size() != 4 * bodies.size())
+    throw InputError({"", 0, prefix + "/ranges"}, "the checkpoint holds other bodies of particles than the scene");
+  std::size_t n = 0;
+  for (std::size_t k = 0; k < bodies.size(); ++k)
+  {
+    const auto at   = [&](std::size_t c) { return static_cast<std::size_t>(ranges[4 * k + c]); };
+    auto      &body = bodies[k];
+    if (!body.grows && at(1) - at(0) != body.last - body.first)
+      throw InputError({"", 0, prefix + "/id"}, "the checkpoint holds " + std::to_string(at(1) - at(0)) +
+                                                  " particles of a body, the scene makes " +
+                                                  std::to_string(body.last - body.first));
+    body.first       = at(0);
+    body.last        = at(1);
+    body.first_rider = at(2);
+    body.last_rider  = at(3);
+    n                = std::max({n, body.last, body.last_rider});
+  }
+  store.resize(n);
+  size_arrays();
+  for (auto &body : bodies)
+    prepare_riders(body);
 }
 
 template <int dim>
@@ -85,6 +120,7 @@ void Solver<dim>::Implementation::read(const ArchiveReader &in, const std::strin
     fit(name, from.size(), to.size());
     to = from;
   };
+  read_ranges(in, prefix);
   store.for_each_array([&](const std::string &name, auto &a) {
     const auto from = in.doubles(prefix + "/" + name);
     fit(name, from.size(), a.size());
@@ -105,6 +141,9 @@ void Solver<dim>::Implementation::read(const ArchiveReader &in, const std::strin
   works           = {work[0], work[1], work[2], Vec3(work[3], work[4], work[5]), in.doubles(prefix + "/wall_pull")};
   if (store.in_parts)
     works.parts_error = in.number(prefix + "/parts_error");
+  const auto seam = in.doubles(prefix + "/seam_work");
+  fit("seam_work", seam.size(), 1);
+  works.seam = seam[0];
   fit("wall_pull", works.pull.size(), parameters.walls.size());
   time            = work[6];
   time_listed     = work[7];
@@ -120,6 +159,7 @@ void Solver<dim>::Implementation::read(const ArchiveReader &in, const std::strin
   template void Solver<d>::Implementation::keep();                                                           \
   template void Solver<d>::Implementation::go_back();                                                        \
   template void Solver<d>::Implementation::write(ArchiveWriter &, const std::string &);                      \
+  template void Solver<d>::Implementation::read_ranges(const ArchiveReader &, const std::string &);          \
   template void Solver<d>::Implementation::read(const ArchiveReader &, const std::string &);
 OGIVE_INSTANTIATE(1)
 OGIVE_INSTANTIATE(2)

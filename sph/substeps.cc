@@ -42,7 +42,15 @@ template <int dim>
 StepStatus Solver<dim>::go_on(const TimeStep &part)
 {
   auto &s = *self_;
-  for (std::size_t i = 0; i < s.store.size(); ++i)
+  s.for_each_rider_range([&](const auto &b, std::size_t first, std::size_t last) {
+    for (int a = 0; a < dim; ++a)
+      for (std::size_t i = first; i < last; ++i)
+      {
+        s.store.v[a][i] = b.rider_velocity[a][static_cast<std::size_t>(-1 - s.store.id[i])];
+        s.part_path[a][i] += part.drift * (s.store.v[a][i] - s.part_first[a][i]);
+      }
+  });
+  for (std::size_t i = 0; i < s.n_own(); ++i)
     for (int a = 0; a < dim; ++a)
     {
       const double f  = s.store.external[a][i];
@@ -70,7 +78,8 @@ StepStatus Solver<dim>::finish(const TimeStep &whole)
     for (int a = 0; a < dim; ++a)
     {
       const double beyond = s.part_path[a][i] / whole.drift, more = .5 * (s.part_shift[a][i] + beyond);
-      s.works.parts_error -= whole.kick * s.force_sums[i * L::forces_stride + L::f_sum + a] * more;
+      if (i < s.n_own())
+        s.works.parts_error -= whole.kick * s.force_sums[i * L::forces_stride + L::f_sum + a] * more;
       s.energy_records[i * L::energy_stride + L::v + a] += more;
       s.store.v_strain[a][i] = s.part_first[a][i] + beyond;
     }

@@ -15,7 +15,7 @@ constexpr double inside = .97;
 template <int dim>
 void Solver<dim>::Implementation::find_surface()
 {
-  for (std::size_t i = 0; i < store.size(); ++i)
+  for (std::size_t i = 0; i < n_own(); ++i)
   {
     Eigen::SelfAdjointEigenSolver<Matrix> solver;
     solver.computeDirect(moment(i), Eigen::EigenvaluesOnly);
@@ -30,7 +30,7 @@ template <int dim>
 void Solver<dim>::Implementation::list_contact_points()
 {
   contact_points.clear();
-  for (std::size_t i = 0; i < store.size(); ++i)
+  for (std::size_t i = 0; i < n_own(); ++i)
     if (near_surface[i])
       contact_points.push_back(static_cast<std::uint32_t>(i));
 }

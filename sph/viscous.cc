@@ -68,7 +68,7 @@ void Solver<dim>::Implementation::sense()
     to[S::volume]     = share(g) * from[S::volume];
     to[S::divergence] = from[S::divergence];
   }
-  sweep_all(&SweepFunctions::sensor, sensor_sums, S::sums_stride, S::n_sums);
+  sweep_riders_too(&SweepFunctions::sensor, sensor_sums, S::sums_stride, S::n_sums);
 }
 
 /// The switch with a memory, once a step.
@@ -127,8 +127,8 @@ void Solver<dim>::Implementation::pack_viscosity()
     using Law          = decltype(law);
     constexpr int rate = V::extra + Law::n_fields;
     const bool    limited = o.limiter != "none";
-    for (const auto &b : bodies)
-      for (std::size_t i = b.first; i < b.last; ++i)
+    const auto    pack    = [&](const Body &b, std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i)
       {
         const auto    p      = viscous_point(b, i);
         const double *motion = &force_records[i * L::force_stride];
@@ -147,6 +147,10 @@ void Solver<dim>::Implementation::pack_viscosity()
         if (limited)
           std::copy(motion + L::rate, motion + L::rate + L::n_sym, r + rate);
       }
+    };
+    for (const auto &b : bodies)
+      pack(b, b.first, b.last);
+    for_each_rider_range(pack);
     for (std::size_t g = 0; g < ghosts.size(); ++g)
     {
       const double *from = &viscous_records[ghosts.parent[g] * viscous_stride];
@@ -176,6 +180,7 @@ void Solver<dim>::Implementation::sweep_viscosity()
 {
   for (const auto &b : bodies)
     b.sweeps.viscous(sweep_of(b, pairs, viscous_sums.data()));
+  for_each_rider_range([&](const Body &b, std::size_t, std::size_t) { b.sweeps.viscous(rider_sweep_of(b, viscous_sums.data())); });
   sweep_images(&SweepFunctions::viscous, &Images::sums);
   // What images press directly belongs to the forces on the walls.
   for (auto &m : images)
@@ -185,7 +190,7 @@ void Solver<dim>::Implementation::sweep_viscosity()
   add_images(&Images::sums, V::sums_stride, V::weak_sum, V::n_sums, viscous_sums);
   if (parameters.axisymmetric)
     add_hoop_viscosity();
-  for (std::size_t i = 0; i < store.size(); ++i)
+  for (std::size_t i = 0; i < n_own(); ++i)
     for (int a = 0; a < dim; ++a)
       force_sums[i * L::forces_stride + L::f_sum + a] += viscous_sums[i * V::sums_stride + V::direct_sum + a];
 }

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "coupling/interface_pair_flux.h"
+
+#include "core/base/error.h"
+#include "coupling/contact_geometry.h"
+#include "coupling/search.h"
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+
+namespace ogive::coupling
+{
+namespace
+{
+std::vector<AlignedVector<double> *> fields_of(materials::Points &points)
+{
+  std::vector<AlignedVector<double> *> all;
+  points.for_each_array([&](const char *, AlignedVector<double> &field) { all.push_back(&field); });
+  return all;
+}
+} // namespace
+
+template <int dim>
+PairFluxInterface<dim>::PairFluxInterface(const InterfaceSpec &spec, MeshPort<dim> &mesh, ParticlePort<dim> &particles,
+                                          Slaves<dim> &)
+  : spec_(spec)
+  , mesh_(mesh)
+  , particles_(particles)
+{
+  const auto cell = particles_.lattice(spec_.particles).cell;
+  spacing_        = *std::max_element(cell.begin(), cell.end());
+  particles_.set_seam_hourglass(spec_.particles, spec_.pair_viscosity);
+  const auto faces = Faces<dim>::look(&mesh_, &particles_);
+  board(faces);
+  if (seam_.empty() && spec_.per_edge == 0)
+  {
+    std::ostringstream message;
+    message << "interface \"" << spec_.name << "\": no particle of body \"" << spec_.particle_body
+            << "\" stands within one spacing (" << spacing_ << " m) in front of the surface of body \""
+            << spec_.mesh_body << "\"";
+    throw InputError({"", 0, "Interfaces/" + spec_.name}, message.str());
+  }
+  find_feet(Faces<dim>::look(&mesh_, &particles_));
+}
+
+template <int dim>
+void PairFluxInterface<dim>::board(const Faces<dim> &faces)
+{
+  const auto lattice = particles_.lattice(spec_.particles);
+  SeamView<dim> view{spec_, faces, mesh_.cells(spec_.mesh), seam_facets<dim>(spec_, faces, spacing_), lattice.cell,
+                     2 * lattice.reach};
+  seam_   = view.seam;
+  riders_ = seam_.empty() ? std::vector<RiderPlace<dim>>() :
+            spec_.per_edge > 0 ? places_in_cells<dim>(view) : continue_lattice<dim>(view, mesh_);
+  mesh_topology_ = faces[mesh_party].topology;
+
+  std::map<std::uint32_t, std::vector<std::uint32_t>> by_host;
+  for (std::size_t k = 0; k < riders_.size(); ++k)
+    by_host[riders_[k].element].push_back(static_cast<std::uint32_t>(k));
+  hosts_.assign(by_host.begin(), by_host.end());
+
+  sph::Newcomers<dim> in;
+  in.body = spec_.particles;
+  in.resize(riders_.size());
+  for (const auto &[element, carried] : hosts_)
+    for (const std::uint32_t k : carried)
+    {
+      mesh_.copy_state(element, in.points, k);
+      in.mass[k] = riders_[k].volume * in.points.density[k];
+      for (int a = 0; a < dim; ++a)
+      {
+        in.x[a][k] = in.x0[a][k] = riders_[k].where[a];
+        in.half_cell[a][k]       = .5 * lattice.cell[a];
+        for (int n = 0; n < Embedding<dim>::n_nodes; ++n)
+          in.v[a][k] += riders_[k].host.weight[n] * faces[mesh_party].v[a][riders_[k].host.node[n]];
+      }
+    }
+  particles_.set_riders(in);
+
+  // Elements near the seam are damped.
+  std::vector<Box<dim>> cells(view.cells.element.size()), seam(seam_.size());
+  for (std::size_t c = 0; c < cells.size(); ++c)
+    for (const std::uint32_t i : view.cells.node[c])
+      cells[c].include(faces.position(mesh_party, i));
+  for (std::size_t f = 0; f < seam_.size(); ++f)
+  {
+    for (const std::uint32_t i : seam_[f].node)
+      seam[f].include(faces.position(mesh_party, i));
+    const double size = facet_size(faces[mesh_party], seam_[f]);
+    // Boxes touch: an element begins where the one before it ends.
+    seam[f].inflate(std::max(3 * spacing_, 1.6 * size) * (1 - 1e-6));
+  }
+  NeighbourList<dim> near;
+  near.build(cells, seam);
+  std::vector<std::uint32_t> damped;
+  for (std::size_t c = 0; c < cells.size(); ++c)
+    if (!near.of(c).empty() && spec_.damping > 0)
+      damped.push_back(view.cells.element[c]);
+  mesh_.damp(spec_.mesh, damped, spec_.damping);
+}
+
+template <int dim>
+void PairFluxInterface<dim>::find_feet(const Faces<dim> &faces)
+{
+  const auto  &cloud = faces[particle_party];
+  const double reach = particles_.lattice(spec_.particles).reach;
+  topology_          = cloud.topology;
+  feet_.clear();
+  if (seam_.empty())
+    return;
+  const auto            points = body_points(cloud, spec_.particles);
+  std::vector<Box<dim>> queries(points.size()), targets(seam_.size());
+  for (std::size_t q = 0; q < points.size(); ++q)
+  {
+    queries[q].include(faces.position(particle_party, points[q]));
+    queries[q].inflate(1.5 * reach);
+  }
+  for (std::size_t f = 0; f < seam_.size(); ++f)
+    for (const std::uint32_t i : seam_[f].node)
+      targets[f].include(faces.position(mesh_party, i));
+  NeighbourList<dim> list;
+  list.build(queries, targets);
+  for (std::size_t q = 0; q < points.size(); ++q)
+  {
+    if (list.of(q).empty())
+      continue;
+    const Point<dim> p = faces.position(particle_party, points[q]);
+    Foot<dim>        best;
+    Foothold         at;
+    at.id = cloud.id[points[q]];
+    for (const std::uint32_t f : list.of(q))
+    {
+      std::array<Point<dim>, n_nodes> corner;
+      for (int k = 0; k < n_nodes; ++k)
+        corner[k] = faces.position(mesh_party, seam_[f].node[k]);
+      const Foot<dim> foot = foot_on_facet<dim>(p, corner, seam_[f].outward);
+      if (better_foot<dim>(p, foot, best))
+      {
+        best    = foot;
+        at.node = seam_[f].node;
+      }
+    }
+    at.weight = best.weight;
+    feet_.push_back(at);
+  }
+}
+
+template <int dim>
+Point<dim> PairFluxInterface<dim>::velocity_at(const Faces<dim> &faces, const Foothold &at) const
+{
+  Point<dim> v = Point<dim>::Zero();
+  for (int k = 0; k < n_nodes; ++k)
+    v += at.weight[k] * faces.velocity(mesh_party, at.node[k]);
+  return v;
+}
+
+template <int dim>
+void PairFluxInterface<dim>::gather(Faces<dim> &faces, const Slaves<dim> &)
+{
+  if (adopt_)
+  {
+    topology_ = faces[particle_party].topology;
+    adopt_    = false;
+  }
+  if (topology_ != faces[particle_party].topology)
+    find_feet(faces);
+  std::array<std::vector<double>, dim>  sums;
+  std::array<std::span<double>, dim>    view;
+  for (int a = 0; a < dim; ++a)
+  {
+    sums[a].assign(faces[particle_party].n, 0.);
+    view[a] = sums[a];
+  }
+  particles_.seam_forces(spec_.particles, view);
+  force_.resize(feet_.size());
+  velocity_before_.resize(feet_.size());
+  for (std::size_t s = 0; s < feet_.size(); ++s)
+  {
+    const std::uint32_t i = faces.particle_index[feet_[s].id];
+    for (int a = 0; a < dim; ++a)
+    {
+      force_[s][a] = faces.particle_share * sums[a][i];
+      sums[a][i]   = 0;
+    }
+    velocity_before_[s] = velocity_at(faces, feet_[s]);
+    for (int k = 0; k < n_nodes; ++k)
+      faces.add_force(mesh_party, feet_[s].node[k], -feet_[s].weight[k] * force_[s]);
+  }
+  for (int a = 0; a < dim; ++a)
+    for (const double left : sums[a])
+      require(left == 0, "each particle that a rider presses has a foot on the seam");
+}
+
+template <int dim>
+void PairFluxInterface<dim>::drive(const Faces<dim> &faces, Slaves<dim> &) const
+{
+  auto on = particles_.riders(spec_.particles);
+  for (int a = 0; a < dim; ++a)
+  {
+    const auto &v = faces[mesh_party].v[a];
+    for (std::size_t k = 0; k < riders_.size(); ++k)
+    {
+      double sum = 0;
+      for (int n = 0; n < Embedding<dim>::n_nodes; ++n)
+        sum += riders_[k].host.weight[n] * v[riders_[k].host.node[n]];
+      on.velocity[a][k] = sum;
+    }
+  }
+  if (riders_.empty())
+    return;
+  state_.resize(1);
+  const auto from = fields_of(state_), to = fields_of(*on.state);
+  for (const auto &[element, carried] : hosts_)
+  {
+    mesh_.copy_state(element, state_, 0);
+    for (std::size_t f = 0; f < from.size(); ++f)
+      for (const std::uint32_t k : carried)
+        (*to[f])[k] = (*from[f])[0];
+  }
+}
+
+template <int dim>
+void PairFluxInterface<dim>::close(const Faces<dim> &faces, const Slaves<dim> &, const TimeStep &step)
+{
+  for (std::size_t s = 0; s < feet_.size(); ++s)
+    energy_.work_on_mesh -= .5 * step.kick * force_[s].dot(velocity_at(faces, feet_[s]) + velocity_before_[s]);
+  energy_.work_on_particles = particles_.seam_work();
+}
+
+template <int dim>
+void PairFluxInterface<dim>::snapshot()
+{
+  kept_      = energy_;
+  kept_feet_ = feet_;
+}
+
+template <int dim>
+void PairFluxInterface<dim>::restore()
+{
+  energy_ = kept_;
+  feet_   = kept_feet_;
+  adopt_  = true;
+}
+
+template <int dim>
+void PairFluxInterface<dim>::save(ArchiveWriter &archive, const std::string &prefix) const
+{
+  std::vector<double>       numbers{energy_.work_on_mesh, energy_.work_on_particles};
+  std::vector<std::int64_t> names;
+  for (const auto &foot : feet_)
+  {
+    numbers.insert(numbers.end(), foot.weight.begin(), foot.weight.end());
+    names.push_back(foot.id);
+    names.insert(names.end(), foot.node.begin(), foot.node.end());
+  }
+  archive.write(prefix + "/feet", numbers);
+  archive.write(prefix + "/feet_names", names);
+}
+
+template <int dim>
+void PairFluxInterface<dim>::load(const ArchiveReader &archive, const std::string &prefix)
+{
+  const auto     numbers = archive.doubles(prefix + "/feet");
+  const auto     names   = archive.integers(prefix + "/feet_names");
+  constexpr auto n       = static_cast<std::size_t>(n_nodes);
+  if (names.size() % (n + 1) != 0 || numbers.size() != 2 + names.size() / (n + 1) * n)
+    throw InputError("the checkpoint's seam (" + prefix + ") is not that of this scene");
+  feet_.resize(names.size() / (n + 1));
+  for (std::size_t s = 0; s < feet_.size(); ++s)
+  {
+    feet_[s].id = names[s * (n + 1)];
+    for (std::size_t k = 0; k < n; ++k)
+    {
+      feet_[s].node[k]   = static_cast<std::uint32_t>(names[s * (n + 1) + 1 + k]);
+      feet_[s].weight[k] = numbers[2 + s * n + k];
+    }
+  }
+  energy_ = kept_ = {numbers[0], numbers[1]};
+  adopt_  = true;
+}
+
+template class PairFluxInterface<1>;
+template class PairFluxInterface<2>;
+template class PairFluxInterface<3>;
+} // namespace ogive::coupling
