@@ -181,16 +181,16 @@ void Solver<dim>::Implementation::sharpen()
 template <int dim>
 StepStatus Solver<dim>::step(const TimeStep &step)
 {
-  self_->start(step, step);
+  self_->kick(step);
+  self_->place(step, step);
   const StepStatus status = self_->advance_elements(step);
   return status.ok ? self_->review() : status;
 }
 
-/// From v_{n-1/2}, x_n to v_{n+1/2} and positions at the end of the first part.
+/// From kicked nodes to v_{n+1/2} and positions at the end of the first part.
 template <int dim>
-void Solver<dim>::Implementation::start(const TimeStep &whole, const TimeStep &part)
+void Solver<dim>::Implementation::place(const TimeStep &whole, const TimeStep &part)
 {
-  kick(whole);
   absorbing.apply(whole, prescribed, constraints, nodes, v_old);
   prescribed.apply(part, nodes, v_old, work);
   walls.apply(whole, prescribed, nodes, v_old, work);

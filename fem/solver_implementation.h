@@ -60,7 +60,9 @@ struct Solver<dim>::Implementation
       group->rebury();
     review_erosion();
   }
-  void       start(const TimeStep &whole, const TimeStep &part);
+  void       spread(typename Substeps<dim>::Pushed &, const TimeStep &whole, const TimeStep &part);
+  void       place(const TimeStep &whole, const TimeStep &part);
+  void       add_owed(Balance &) const;
   StepStatus advance_elements(const TimeStep &);
   StepStatus review();
   void       kick(const TimeStep &);
@@ -86,7 +88,10 @@ struct Solver<dim>::Implementation
     if (parts_of_step.on())
     {
       for (int i = 0; i < dim; ++i)
+      {
         f(std::string("shift_") + axis[i], parts_of_step.shift[i]);
+        f(std::string("owed_") + axis[i], parts_of_step.owed[i]);
+      }
       f("parts_error", parts_of_step.error);
     }
     f("wall_force", walls.forces());

@@ -56,6 +56,7 @@ Balance Solver<dim>::balance() const
       b.angular_momentum += m * x.cross(v);
     }
   }
+  s.add_owed(b);
   s.erosion.add(b);
   b.external_work = s.work.external;
   b.wall_loss     = s.work.wall_loss;

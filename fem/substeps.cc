@@ -4,11 +4,11 @@
 #include "core/base/error.h"
 #include "fem/solver_implementation.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 
-/// A step of the elements in parts: their forces act once, as one impulse at
-/// t_n, what the coupling layer pushes acts in every part (the impulse method;
-/// every impulse is a kick of the leapfrog, so momentum is exact).
+/// A step of the elements in parts: fem/substeps.h says how.
 namespace ogive::fem
 {
 template <int dim>
@@ -21,19 +21,63 @@ template <int dim>
 StepStatus Solver<dim>::begin(const TimeStep &whole, const TimeStep &part)
 {
   auto &s = *self_;
-  require(s.parts_of_step.on(), "a step in parts was not announced");
+  auto &p = s.parts_of_step;
+  require(p.on(), "a step in parts was not announced");
   // The kick is that of the elements; what others push gets its share of it.
-  if (const double share = part.kick / whole.kick; share != 1)
-    for (auto &component : s.nodes.force)
-      for (double &f : component)
-        f *= share;
-  s.start(whole, part);
+  const double share = part.kick / whole.kick;
+  p.pushed.clear();
+  for (std::uint32_t a = 0; a < s.nodes.size(); ++a)
+  {
+    typename Substeps<dim>::Pushed pushed{a, {}};
+    bool                           any = false, owed = false;
+    for (int i = 0; i < dim; ++i)
+    {
+      double &f = s.nodes.force[i][a];
+      any |= f != 0;
+      owed |= p.owed[i][a] != 0;
+      pushed.force[i] = f *= share;
+    }
+    if ((any || owed) && s.nodes.mass[a] > 0 && !s.constraints.is_slave(a))
+      p.pushed.push_back(pushed);
+  }
+  s.kick(whole);
+  for (auto &pushed : p.pushed)
+    s.spread(pushed, whole, part);
+  s.place(whole, part);
+  for (const auto &pushed : p.pushed)
+    for (int i = 0; i < dim; ++i)
+      p.error[0] += p.path[i][pushed.node] * s.nodes.v_mean[i][pushed.node];
+  std::erase_if(p.pushed, [&](const auto &pushed) {
+    return std::all_of(p.owed.begin(), p.owed.end(), [&](const auto &owed) { return owed[pushed.node] == 0; });
+  });
   for (int i = 0; i < dim; ++i)
   {
-    s.parts_of_step.first[i] = s.nodes.v[i];
-    std::fill(s.parts_of_step.path[i].begin(), s.parts_of_step.path[i].end(), 0.);
+    p.first[i] = s.nodes.v[i];
+    std::fill(p.path[i].begin(), p.path[i].end(), 0.);
   }
   return {};
+}
+
+/// Takes from a node just kicked what later parts and the next step will give
+/// it; notes the impulse beyond the kick in `path`.
+template <int dim>
+void Solver<dim>::Implementation::spread(typename Substeps<dim>::Pushed &pushed, const TimeStep &whole,
+                                         const TimeStep &part)
+{
+  auto                   &p    = parts_of_step;
+  const std::uint32_t     a    = pushed.node;
+  const double            mass = nodes.mass[a], half = .5 * (whole.drift - part.drift);
+  const auto              push = pushed.force;
+  const bool              on   = std::any_of(push.begin(), push.end(), [](double f) { return f != 0; });
+  for (int i = 0; i < dim; ++i)
+  {
+    const double force = mass * (nodes.v[i][a] - v_old[i][a]) / whole.kick - push[i];
+    const double later = on ? -half * force : 0.;
+    p.path[i][a]       = p.owed[i][a] + later;
+    p.owed[i][a]       = later;
+    pushed.force[i]    = force;
+    nodes.v[i][a] += p.path[i][a] / mass;
+  }
 }
 
 template <int dim>
@@ -41,10 +85,14 @@ StepStatus Solver<dim>::go_on(const TimeStep &part)
 {
   auto &s     = *self_;
   auto &nodes = s.nodes;
+  auto &p     = s.parts_of_step;
   s.constraints.fold_forces(nodes, [&](std::uint32_t slave, double (&f)[dim]) {
     for (int i = 0; i < dim; ++i)
       f[i] = nodes.force[i][slave];
   });
+  for (const auto &pushed : p.pushed)
+    for (int i = 0; i < dim; ++i)
+      nodes.force[i][pushed.node] += pushed.force[i];
   for (int i = 0; i < dim; ++i)
     for (std::size_t a = 0; a < nodes.size(); ++a)
     {
@@ -56,10 +104,13 @@ StepStatus Solver<dim>::go_on(const TimeStep &part)
     }
   s.prescribed.apply(part, nodes, s.v_old, s.work);
   s.constraints.follow(nodes);
+  for (const auto &pushed : p.pushed)
+    for (int i = 0; i < dim; ++i)
+      p.error[0] += part.kick * pushed.force[i] * .5 * (s.v_old[i][pushed.node] + nodes.v[i][pushed.node]);
   for (int i = 0; i < dim; ++i)
   {
-    double       *x = nodes.x[i].data(), *path = s.parts_of_step.path[i].data();
-    const double *v = nodes.v[i].data(), *first = s.parts_of_step.first[i].data();
+    double       *x = nodes.x[i].data(), *path = p.path[i].data();
+    const double *v = nodes.v[i].data(), *first = p.first[i].data();
     for (std::size_t a = 0; a < nodes.size(); ++a)
     {
       x[a] += part.drift * v[a];
@@ -99,13 +150,37 @@ StepStatus Solver<dim>::finish(const TimeStep &whole)
 }
 
 template <int dim>
+void Solver<dim>::Implementation::add_owed(Balance &b) const
+{
+  const auto &owed = parts_of_step.owed;
+  for (std::size_t a = 0; a < owed[0].size(); ++a)
+  {
+    Vec3 x = Vec3::Zero(), p = Vec3::Zero();
+    for (int i = 0; i < dim; ++i)
+    {
+      x[i] = nodes.x[i][a];
+      p[i] = owed[i][a];
+    }
+    if (parameters.axisymmetric)
+      b.momentum[1] += p[1];
+    else
+    {
+      b.momentum += p;
+      b.angular_momentum += x.cross(p);
+    }
+  }
+}
+
+template <int dim>
 double Solver<dim>::parts_error() const
 {
   return self_->parts_of_step.error[0];
 }
 
 #define OGIVE_INSTANTIATE(d)                                                                                 \
+  template void       Solver<d>::Implementation::spread(Substeps<d>::Pushed &, const TimeStep &, const TimeStep &); \
   template void       Solver<d>::allow_parts();                                                              \
+  template void       Solver<d>::Implementation::add_owed(Balance &) const;                                  \
   template StepStatus Solver<d>::begin(const TimeStep &, const TimeStep &);                                  \
   template StepStatus Solver<d>::go_on(const TimeStep &);                                                    \
   template StepStatus Solver<d>::finish(const TimeStep &);                                                   \
