@@ -61,6 +61,11 @@ public:
   virtual Cells cells(int) const { throw InputError("this mesh does not name its cells"); }
   virtual void  copy_state(std::uint32_t, materials::Points &, std::size_t) const {}
   virtual void  damp(int, std::span<const std::uint32_t>, double) {}
+  /// See fem::Solver.
+  virtual void weigh(int, std::span<const std::uint32_t>, std::span<const double>)
+  {
+    throw InputError("these elements share nothing");
+  }
 };
 
 /// What the coupling layer asks of a particle solver.
@@ -87,6 +92,10 @@ public:
   virtual void   set_seam_hourglass(int, double) {}
   virtual void   seam_forces(int, const std::array<std::span<double>, dim> &) const {}
   virtual double seam_work() const { return 0; }
+  virtual void   weigh(std::span<const std::int64_t>, std::span<const double>)
+  {
+    throw InputError("these particles share nothing");
+  }
   /// Distances of the layers of a body's lattice at the start, m, and how far its
   /// particles reach, m.
   struct Lattice

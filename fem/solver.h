@@ -121,6 +121,9 @@ public:
   /// Viscous stress `share` (L/c) C : D in these elements of a body (numerics: the
   /// damping of stiffness at a seam), in none of its others.
   void damp(int body, std::span<const std::uint32_t> elements, double share);
+  /// Share of these elements of a body in the energy and mass of the material
+  /// they stand for; the rest belongs to particles. Once, before the first step.
+  void weigh(int body, std::span<const std::uint32_t> elements, std::span<const double> shares);
 
   const std::vector<TieReport> &ties() const;
 

@@ -12,6 +12,7 @@
 #include "fem/solver.h"
 #include "fem/substeps.h"
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,8 @@ struct Solver<dim>::Implementation
   AlignedVector<double>                           sharpening{1., 0.};
   std::vector<AlignedVector<double>>              mark;        ///< the snapshot
   Substeps<dim>                                   parts_of_step;
+  std::map<std::uint32_t, double>                 mass_factor;      ///< over their own, of nodes that carry others
+  double                                          least_factor = 1; ///< of these, or 1
 
   void       build(std::vector<BodyMesh<dim>>);
   std::vector<std::uint32_t> wall_nodes(const std::vector<BodyMesh<dim>> &) const;

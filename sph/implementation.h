@@ -118,6 +118,7 @@ struct Solver<dim>::Implementation
 
   std::vector<std::int64_t>           slave_ids;
   std::vector<char>                   is_slave; ///< by id
+  std::vector<double>                 energy_share; ///< by id, see Solver::weigh; empty: 1
   PerAxis<std::vector<double>>        slave_velocity; ///< by id
 
   PerAxis<AlignedVector<double>>      part_first, part_path, part_shift; ///< within a step in parts (substeps.cc)
@@ -310,6 +311,11 @@ struct Solver<dim>::Implementation
   }
   /// Mass per volume of the space of the sweeps: kg/m^dim.
   double plane_density(std::size_t i) const { return ring(i) * store.swept_density[i]; }
+  double shared(std::size_t i) const
+  {
+    const auto id = static_cast<std::size_t>(store.id[i]);
+    return id < energy_share.size() ? energy_share[id] : 1.;
+  }
   double weight(std::size_t i) const { return standard ? store.mass[i] : store.mass[i] / plane_density(i); }
 };
 } // namespace ogive::sph

@@ -254,7 +254,7 @@ Balance Solver<dim>::balance() const
   double      internal = 0;
   for (std::size_t i = 0; i < s.n_own(); ++i)
   {
-    const double m = s.store.mass[i];
+    const double m = s.store.mass[i] * s.shared(i);
     internal += m * s.store.points.energy[i];
     b.plastic_work += m * s.store.points.plastic_work[i];
     b.viscosity_heat += m * s.store.viscosity_heat[i];
@@ -279,7 +279,7 @@ Balance Solver<dim>::balance() const
   }
   for (const auto &body : s.bodies)
     for (std::size_t i = body.first; i < body.last; ++i)
-      b.thermal += s.store.mass[i] * s.store.points.plastic_work[i] *
+      b.thermal += s.store.mass[i] * s.shared(i) * s.store.points.plastic_work[i] *
                    body.material->parameters().thermal.heated_share();
   b.elastic       = internal - b.plastic_work - b.viscosity_heat - b.hourglass_sph;
   b.external_impulse = s.works.impulse;
@@ -373,6 +373,23 @@ void Solver<dim>::set_slaves(std::span<const std::int64_t> ids)
   for (std::size_t i = 0; i < s.is_slave.size(); ++i)
     for (int a = 0; a < dim; ++a)
       s.slave_velocity[a][s.store.id[i]] = s.store.v[a][i];
+}
+
+template <int dim>
+void Solver<dim>::weigh(std::span<const std::int64_t> ids, std::span<const double> shares)
+{
+  auto &s = *self_;
+  if (s.reference.on || s.parameters.axisymmetric)
+    throw InputError({"", 0, "SPH/configuration"}, "particles that share their energy with elements know neither the "
+                                                   "reference configuration nor an axis",
+                     "current, in a plane or in space");
+  s.energy_share.resize(s.n_own(), 1.);
+  for (std::size_t k = 0; k < ids.size(); ++k)
+  {
+    require(shares[k] > 0 && shares[k] <= 1, "a share lies above 0 and not above 1");
+    s.energy_share[static_cast<std::size_t>(ids[k])] = shares[k];
+  }
+  s.follow(false);
 }
 
 template <int dim>

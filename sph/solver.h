@@ -94,6 +94,11 @@ public:
   void drive_slaves(const std::array<std::span<const double>, dim> &velocity);
   /// Force on each slave at t_n (internal plus Surface::force), same order.
   void slave_forces(const std::array<std::span<double>, dim> &force) const;
+  /// Share of slaves (by Surface::id) in the energy of the material they stand
+  /// for, and so in its forces, 0 < share <= 1: stress, hourglass control and
+  /// linear viscosity of a pair act by the mean of its two shares. The rest
+  /// belongs to the elements that carry them. Once, before the first step.
+  void weigh(std::span<const std::int64_t> ids, std::span<const double> shares);
   /// Present index of each particle id (particles are reordered as they move).
   std::span<const std::uint32_t> index_of_id() const;
 

@@ -113,7 +113,8 @@ TEST(Subcycling, OnePartIsThePlainStepToTheBit)
 {
   const auto small_particles = free_impact(.5e-3, 2e-3);
   expect_same(small_particles, with_parts(small_particles, "elements", 4), 60);
-  const auto small_elements = free_impact(2e-3, .5e-3);
+  auto small_elements = free_impact(2e-3, .5e-3);
+  small_elements.interfaces.clear(); // with it the mesh would keep a larger distance from its bound
   expect_same(small_elements, with_parts(small_elements, "particles", 4), 60);
 }
 
@@ -137,7 +138,8 @@ TEST(Subcycling, KeepsMomentumToRoundingEitherWay)
     EXPECT_TRUE(touched);
     EXPECT_GE(most, 2u);
     const auto row = run.model.ledger();
-    EXPECT_LE(std::abs(row.total - row.interface_work - before.total), 1e-3 * before.kinetic);
+    EXPECT_LE(std::abs(row.total + row.contact_loss - row.interface_work - before.total), 1e-12 * before.kinetic);
+    std::printf("%s %g: interface %.2e contact loss %.2e of the kinetic energy, most %zu\n", scene.subcycling.who.c_str(), scene.subcycling.steps, row.interface_work / before.kinetic, row.contact_loss / before.kinetic, most);
   }
 }
 
@@ -155,6 +157,45 @@ TEST(Subcycling, ManyStepsOfParticlesLeaveTheReboundAsItIs)
     EXPECT_LE(parts.error, .005);
     EXPECT_LE(parts.drift, 1e-12);
     std::printf("particles %g: contact %.5f %.5f rebound %.5f %.5f error %.2e drift %.1e most %d\n", steps, parts.contact, plain.contact, parts.velocity, plain.velocity, parts.error, parts.drift, parts.most);
+  }
+}
+
+// Equal bars that meet exchange their velocities (the wave equation).
+TEST(Subcycling, BarsThatMeetExchangeTheirVelocitiesEitherWay)
+{
+  for (const std::string who : {"particles", "elements"})
+  {
+    auto         scene = steel_scene(input::Dimension::uniaxial);
+    const double fine = .1e-3, coarse = .5e-3;
+    add_box(scene, "left", input::Method::sph, {0, 0, 0}, {.05, 0, 0}, who == "particles" ? fine : coarse, {speed, 0, 0});
+    add_box(scene, "right", input::Method::fem, {.0501, 0, 0}, {.1001, 0, 0}, who == "particles" ? coarse : fine, {0, 0, 0});
+    scene.contacts.push_back({"hit", "left", "right", 0, .1});
+    double plain = 0;
+    for (const double steps : {1., 2., 4., 8.})
+    {
+      Driver<1>   run(steps > 1 ? with_parts(scene, who, steps) : scene);
+      const auto  before = run.model.ledger();
+      std::size_t most   = 0;
+      while (run.time < 40e-6)
+      {
+        run.step();
+        EXPECT_EQ(run.model.review(), "");
+        most = std::max(most, run.model.parts());
+      }
+      const auto   row    = run.model.ledger();
+      const auto   right  = run.model.sample(1);
+      double       impulse = 0;
+      for (std::size_t k = 0; k < right.mass.size(); ++k)
+        impulse += right.mass[k] * right.v[0][k];
+      const double passed = impulse / before.momentum[0];
+      if (steps == 1)
+        plain = passed;
+      EXPECT_NEAR(passed, plain, .005);
+      EXPECT_GE(most, std::min(static_cast<std::size_t>(steps), std::size_t(4)));
+      EXPECT_LE(std::abs(row.momentum[0] - before.momentum[0]), 1e-12 * before.momentum[0]);
+      EXPECT_LE(std::abs(row.interface_work), .005 * before.kinetic);
+      std::printf("%s %g: passed %.5f, interface %.1e, contact loss %.1e, most %zu\n", who.c_str(), steps, passed, row.interface_work / before.kinetic, row.contact_loss / before.kinetic, most);
+    }
   }
 }
 
