@@ -24,9 +24,11 @@ Subcycling::Subcycling(const input::Subcycling &given, bool both_solvers)
 
 StepLimit Subcycling::limit(const StepLimit &fine, const StepLimit &coarse) const
 {
+  // Whole parts of the finer bound: a part that is shorter than it may be costs
+  // more than a longer step of the other saves.
   StepLimit whole = fine;
   if (on() && !state_.ended)
-    whole.dt *= static_cast<double>(most_);
+    whole.dt *= std::clamp(std::floor(coarse.dt / fine.dt), 1., static_cast<double>(most_));
   whole.tighten(coarse);
   return whole;
 }

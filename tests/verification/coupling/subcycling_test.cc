@@ -139,7 +139,6 @@ TEST(Subcycling, KeepsMomentumToRoundingEitherWay)
     EXPECT_GE(most, 2u);
     const auto row = run.model.ledger();
     EXPECT_LE(std::abs(row.total + row.contact_loss - row.interface_work - before.total), 1e-12 * before.kinetic);
-    std::printf("%s %g: interface %.2e contact loss %.2e of the kinetic energy, most %zu\n", scene.subcycling.who.c_str(), scene.subcycling.steps, row.interface_work / before.kinetic, row.contact_loss / before.kinetic, most);
   }
 }
 
@@ -156,7 +155,6 @@ TEST(Subcycling, ManyStepsOfParticlesLeaveTheReboundAsItIs)
     EXPECT_NEAR(parts.velocity, plain.velocity, .005);
     EXPECT_LE(parts.error, .005);
     EXPECT_LE(parts.drift, 1e-12);
-    std::printf("particles %g: contact %.5f %.5f rebound %.5f %.5f error %.2e drift %.1e most %d\n", steps, parts.contact, plain.contact, parts.velocity, plain.velocity, parts.error, parts.drift, parts.most);
   }
 }
 
@@ -191,10 +189,9 @@ TEST(Subcycling, BarsThatMeetExchangeTheirVelocitiesEitherWay)
       if (steps == 1)
         plain = passed;
       EXPECT_NEAR(passed, plain, .005);
-      EXPECT_GE(most, std::min(static_cast<std::size_t>(steps), std::size_t(4)));
+      EXPECT_GE(most, std::min(static_cast<std::size_t>(steps), std::size_t(3)));
       EXPECT_LE(std::abs(row.momentum[0] - before.momentum[0]), 1e-12 * before.momentum[0]);
       EXPECT_LE(std::abs(row.interface_work), .005 * before.kinetic);
-      std::printf("%s %g: passed %.5f, interface %.1e, contact loss %.1e, most %zu\n", who.c_str(), steps, passed, row.interface_work / before.kinetic, row.contact_loss / before.kinetic, most);
     }
   }
 }
