@@ -44,11 +44,15 @@ ContactPair<dim>::ContactPair(const ContactSpec &spec, bool swapped, Meeting mee
 template <int dim>
 void ContactPair<dim>::measure(const Faces<dim> &faces, const std::vector<int> &symmetry_axes)
 {
-  const double point_size =
-    2 * largest_radius(faces, point_party_, contact_points(faces[point_party_], point_body_));
+  const auto   coming     = [&](int body) { return body == spec_.first ? spec_.first_radius : spec_.second_radius; };
+  const auto   size_of    = [&](int party, int body) {
+    const double now = largest_radius(faces, party, contact_points(faces[party], body));
+    return 2 * (party == particle_party ? std::max(now, coming(body)) : now);
+  };
+  const double point_size = size_of(point_party_, point_body_);
   if (other_party_ == particle_party)
   {
-    size_ = 2 * largest_radius(faces, other_party_, contact_points(faces[other_party_], other_body_));
+    size_ = size_of(other_party_, other_body_);
     if (size_ > 0)
       field_ = ParticleField<dim>(.5 * (point_size + size_), size_);
   }

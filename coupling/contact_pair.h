@@ -19,6 +19,7 @@ struct ContactSpec
   int         first = 0, second = 0; ///< index into Scene::bodies
   Party       first_party  = mesh_party;
   Party       second_party = mesh_party;
+  double      first_radius = 0, second_radius = 0; ///< of particles that may come later, m
   double      friction  = 0;  ///< Coulomb coefficient
   double      stiffness = .1; ///< share of m_eff/dt^2, <= .1
 };

@@ -22,6 +22,40 @@ Party party_of(const input::Scene &scene, int body)
   return scene.bodies[body].method == input::Method::sph ? particle_party : mesh_party;
 }
 
+/// Both for a body whose elements turn into particles.
+std::vector<Party> parties_of(const input::Scene &scene, int body)
+{
+  return scene.bodies[body].method == input::Method::automatic ? std::vector<Party>{mesh_party, particle_party} :
+                                                                 std::vector<Party>{party_of(scene, body)};
+}
+
+/// Of the particles that a body's elements may turn into, m; 0 for other bodies.
+double coming_radius(const input::Body &body)
+{
+  return body.method == input::Method::automatic ? .5 * body.spacing / body.conversion.per_edge : 0.;
+}
+
+/// Seams of particles and elements: those of the scene, and one within each body
+/// with method auto that the scene says nothing of.
+std::vector<input::Interface> seams_of(const input::Scene &scene)
+{
+  std::vector<input::Interface> seams;
+  for (const auto &entry : scene.interfaces)
+    if (!entry.joins_meshes()) // else the mesh solver's own affair
+      seams.push_back(entry);
+  for (const auto &body : scene.bodies)
+    if (body.method == input::Method::automatic &&
+        std::none_of(seams.begin(), seams.end(), [&](const auto &i) { return i.body == body.name; }))
+    {
+      input::Interface seam;
+      seam.name   = body.name + "-seam";
+      seam.body   = body.name;
+      seam.method = "pair-flux";
+      seams.push_back(seam);
+    }
+  return seams;
+}
+
 /// Cuts of the model: symmetry planes and the axis of rotation.
 std::vector<int> cut_axes(const input::Scene &scene)
 {
@@ -51,22 +85,27 @@ Coupler<dim>::~Coupler() = default;
 template <int dim>
 void Coupler<dim>::build_interfaces(const input::Scene &scene)
 {
-  for (const auto &entry : scene.interfaces)
+  for (const input::Interface &entry : seams_of(scene))
   {
-    if (entry.joins_meshes()) // the mesh solver's own affair
-      continue;
     InterfaceSpec spec;
-    spec.name          = entry.name;
-    spec.method        = entry.method;
-    spec.particle_body = entry.particles;
-    spec.mesh_body     = entry.mesh;
-    spec.particles     = body_named(scene, entry.particles, entry.name);
-    spec.mesh          = body_named(scene, entry.mesh, entry.name);
+    const bool    within = !entry.body.empty();
+    spec.name           = entry.name;
+    spec.method         = entry.method;
+    spec.particle_body  = within ? entry.body : entry.particles;
+    spec.mesh_body      = within ? entry.body : entry.mesh;
+    spec.particles      = body_named(scene, spec.particle_body, entry.name);
+    spec.mesh           = body_named(scene, spec.mesh_body, entry.name);
     spec.symmetry_axes  = cut_axes(scene);
     spec.axisymmetric   = axisymmetric_;
     spec.damping        = entry.damping;
     spec.pair_viscosity = entry.pair_viscosity;
-    if (party_of(scene, spec.particles) != particle_party || party_of(scene, spec.mesh) != mesh_party)
+    spec.per_edge       = within ? static_cast<int>(scene.bodies[spec.mesh].conversion.per_edge) : 0;
+    if (within && spec.method != "pair-flux")
+      throw InputError({scene.file, 0, "Interfaces/" + entry.name},
+                       "the seam of a body whose elements turn into particles moves, and \"" + spec.method +
+                         "\" does not follow",
+                       "method = pair-flux");
+    if (!within && (party_of(scene, spec.particles) != particle_party || party_of(scene, spec.mesh) != mesh_party))
       throw InputError({scene.file, 0, entry.name},
                        "an interface joins a body of particles and a body of elements",
                        "\"" + entry.particles + "\" with method sph and \"" + entry.mesh +
@@ -89,8 +128,6 @@ void Coupler<dim>::build_contacts(const input::Scene &scene)
     spec.name         = entry.name;
     spec.first        = body_named(scene, entry.first, entry.name);
     spec.second       = body_named(scene, entry.second, entry.name);
-    spec.first_party  = party_of(scene, spec.first);
-    spec.second_party = party_of(scene, spec.second);
     spec.friction     = entry.friction;
     spec.stiffness    = entry.stiffness;
     if (spec.first == spec.second)
@@ -102,7 +139,15 @@ void Coupler<dim>::build_contacts(const input::Scene &scene)
                        "more than 0 and at most .1, so that contact does not set the step");
     if (!(entry.friction >= 0))
       throw InputError({scene.file, 0, entry.name}, "negative friction", "a coefficient >= 0");
-    specs.push_back(std::move(spec));
+    spec.first_radius  = coming_radius(scene.bodies[spec.first]);
+    spec.second_radius = coming_radius(scene.bodies[spec.second]);
+    for (const Party first : parties_of(scene, spec.first))
+      for (const Party second : parties_of(scene, spec.second))
+      {
+        spec.first_party  = first;
+        spec.second_party = second;
+        specs.push_back(spec);
+      }
   }
   // The tied masses are on the nodes by now, so this is the step of the run.
   StepLimit limit;
@@ -120,6 +165,13 @@ void Coupler<dim>::build_contacts(const input::Scene &scene)
   contacts_ = std::make_unique<ContactSet<dim>>(std::move(specs), cut_axes(scene), limit.dt,
                                                 std::min(share, .95));
   contacts_->start(Faces<dim>::look(mesh_.get(), particles_.get()));
+}
+
+template <int dim>
+void Coupler<dim>::renew()
+{
+  for (auto &interface : interfaces_)
+    interface->renew();
 }
 
 template <int dim>

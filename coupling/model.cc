@@ -2,13 +2,13 @@
 #include "coupling/model.h"
 
 #include "core/base/error.h"
-#include "core/base/log.h"
 #include "core/materials/hugoniot.h"
 #include "core/materials/started_material.h"
+#include "coupling/joined_sample.h"
+#include "coupling/stopwatch.h"
 #include "fem/mesh.h"
 #include "sph/fill.h"
 
-#include <ctime>
 #include <map>
 #include <utility>
 
@@ -16,21 +16,6 @@ namespace ogive::coupling
 {
 namespace
 {
-/// Adds the processor time of its life to a counter.
-class Stopwatch
-{
-public:
-  explicit Stopwatch(double &seconds)
-    : seconds_(seconds)
-    , start_(std::clock())
-  {}
-  ~Stopwatch() { seconds_ += static_cast<double>(std::clock() - start_) / CLOCKS_PER_SEC; }
-
-private:
-  double      &seconds_;
-  std::clock_t start_;
-};
-
 std::map<std::string, std::shared_ptr<const materials::Material>> build_materials(const input::Scene &scene)
 {
   std::map<std::string, std::shared_ptr<const materials::Material>> built;
@@ -53,6 +38,34 @@ std::vector<int> boundary_bodies(const input::Scene &scene)
   for (const input::Boundary &boundary : scene.boundaries)
     bodies.push_back(body_index(scene, boundary.body));
   return bodies;
+}
+
+/// Elements at the faces that boundaries act on: those stay elements.
+template <int dim>
+std::vector<std::uint32_t> held_elements(const input::Scene &scene, const input::Body &body,
+                                         const fem::BodyMesh<dim> &mesh)
+{
+  std::vector<std::uint32_t> held;
+  for (const input::Boundary &boundary : scene.boundaries)
+    for (const auto &facet : mesh.facets)
+      if (boundary.body == body.name && boundary.kind != input::BoundaryKind::body_force &&
+          mesh.is_called(facet.boundary, boundary.face))
+        held.push_back(facet.cell);
+  return held;
+}
+
+/// Room for the particles of a body that has none yet.
+template <int dim>
+sph::BodyParticles<dim> no_particles(const input::Body &body, int index,
+                                     std::shared_ptr<const materials::Material> material)
+{
+  sph::BodyParticles<dim> cloud;
+  cloud.body     = index;
+  cloud.material = std::move(material);
+  cloud.spacing  = body.spacing / body.conversion.per_edge;
+  cloud.shape    = body.shape;
+  cloud.grows    = true;
+  return cloud;
 }
 
 std::vector<fem::Tie> mesh_ties(const input::Scene &scene)
@@ -101,17 +114,23 @@ Model<dim>::Model(const input::Scene &scene)
   const auto                              materials = build_materials(scene);
   std::vector<fem::BodyMesh<dim>>         meshes;
   std::vector<sph::BodyParticles<dim>>    clouds;
+  std::vector<std::pair<int, std::vector<std::uint32_t>>> held; // of bodies that convert
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
   {
     const input::Body &body     = scene.bodies[b];
     const auto         material = materials.at(body.material);
-    if (body.method == input::Method::fem)
+    if (body.method != input::Method::sph)
     {
       meshes.push_back(fem::make_mesh<dim>(body, scene, static_cast<int>(b), material));
       for (const std::string &note : meshes.back().notes)
         mesh_notes_.push_back("body \"" + body.name + "\": " + note);
     }
-    else
+    if (body.method == input::Method::automatic)
+    {
+      held.emplace_back(static_cast<int>(b), held_elements(scene, body, meshes.back()));
+      clouds.push_back(no_particles<dim>(body, static_cast<int>(b), material));
+    }
+    if (body.method == input::Method::sph)
     {
       clouds.push_back(sph::fill<dim>(body, scene, static_cast<int>(b), material));
       start(clouds.back(), body);
@@ -127,115 +146,34 @@ Model<dim>::Model(const input::Scene &scene)
       sph::Parameters{scene.sph, scene.dimension == input::Dimension::axisymmetric, scene.symmetry, scene.walls,
                       scene.boundaries, boundary_bodies(scene)},
       std::move(clouds));
-  coupler_    = std::make_unique<Coupler<dim>>(scene, fem_.get(), sph_.get());
-  subcycling_ = Subcycling(scene.subcycling, fem_ && sph_);
-  if (subcycling_.mesh_is_coarse())
-    fem_->allow_parts();
-  if (subcycling_.particles_are_coarse())
-    sph_->allow_parts();
-  if (subcycling_.on())
-    subcycling_.measure(ledger().kinetic);
+  if (!held.empty())
+  {
+    conversion_ = std::make_unique<Conversion<dim>>(scene, *fem_, *sph_, held);
+    conversion_->begin();
+  }
+  coupler_ = std::make_unique<Coupler<dim>>(scene, fem_.get(), sph_.get());
+  begin_parts(scene);
   for (const input::Contact &contact : scene.contacts)
     contact_bodies_.emplace_back(body_index(scene, contact.first), body_index(scene, contact.second));
 }
 
-/// Of what steps more often, contact among it.
 template <int dim>
-StepLimit Model<dim>::fine_limit() const
+std::vector<ConversionEvent> Model<dim>::convert(std::int64_t step, double time)
 {
-  StepLimit limit = coupler_->stable_dt();
-  if (fem_ && !subcycling_.mesh_is_coarse())
-    limit.tighten(fem_->stable_dt());
-  if (sph_ && !subcycling_.particles_are_coarse())
-    limit.tighten(sph_->stable_dt());
-  return limit;
-}
-
-template <int dim>
-StepLimit Model<dim>::coarse_limit() const
-{
-  return subcycling_.mesh_is_coarse()       ? fem_->stable_dt() :
-         subcycling_.particles_are_coarse() ? sph_->stable_dt() :
-                                              StepLimit();
-}
-
-template <int dim>
-StepLimit Model<dim>::stable_dt() const
-{
-  return subcycling_.limit(fine_limit(), coarse_limit());
-}
-
-namespace
-{
-/// A part of a step: for a solver that steps finely a step, for the other one
-/// the beginning, the middle or the end of one.
-template <class Solver>
-StepStatus take(Solver &solver, bool coarse, const TimeStep &whole, const TimeStep &part, bool first, bool last)
-{
-  if (!coarse)
-    return solver.step(part);
-  const StepStatus status = first ? solver.begin(whole, part) : solver.go_on(part);
-  return last && status.ok ? solver.finish(whole) : status;
-}
-} // namespace
-
-template <int dim>
-StepStatus Model<dim>::step(const TimeStep &step)
-{
-  parts_ = subcycling_.on() ? subcycling_.parts(step, fine_limit().dt) : 1;
-  StepStatus status;
-  for (std::size_t j = 0; j < parts_ && status.ok; ++j)
-    status = take_part(step, j);
-  return status;
-}
-
-template <int dim>
-StepStatus Model<dim>::take_part(const TimeStep &whole, std::size_t j)
-{
-  const bool     first = j == 0, last = j + 1 == parts_;
-  const TimeStep part = subcycling_.part(whole, parts_, j);
-  // Coarse particles push what carries them once, over their own kick.
-  coupler_->gather(!subcycling_.particles_are_coarse() ? 1. : first ? whole.kick / part.kick : 0.);
-  StepStatus status;
-  if (fem_)
-  {
-    const Stopwatch watch(fem_seconds_);
-    status = take(*fem_, subcycling_.mesh_is_coarse(), whole, part, first, last);
-  }
-  coupler_->drive();
-  if (sph_ && status.ok)
-  {
-    const Stopwatch watch(sph_seconds_);
-    status = take(*sph_, subcycling_.particles_are_coarse(), whole, part, first, last);
-  }
-  if (status.ok)
-    coupler_->close(part);
-  subcycling_.took(part);
-  return status;
-}
-
-template <int dim>
-double Model<dim>::parts_error(Party party) const
-{
-  return party == mesh_party ? (subcycling_.mesh_is_coarse() ? fem_->parts_error() : 0.) :
-                               (subcycling_.particles_are_coarse() ? sph_->parts_error() : 0.);
-}
-
-template <int dim>
-std::string Model<dim>::review()
-{
-  if (!subcycling_.on())
+  if (!conversion_)
     return {};
-  const double error = coupler_->balance().interface_work + parts_error(particle_party) + parts_error(mesh_party);
-  if (!subcycling_.review(error, [this] { return ledger().kinetic; }))
-    return {};
-  return "the error of the interfaces has come to " + engineering(error) +
-         " J by steps in parts, more than Subcycling/energy limit allows: particles and elements step alike from now on";
+  const Stopwatch watch(sph_seconds_);
+  auto            events = conversion_->convert(step, time);
+  if (!events.empty())
+    coupler_->renew();
+  return events;
 }
 
 template <int dim>
 void Model<dim>::snapshot()
 {
+  if (conversion_)
+    conversion_->snapshot();
   if (fem_)
     fem_->snapshot();
   if (sph_)
@@ -247,6 +185,8 @@ void Model<dim>::snapshot()
 template <int dim>
 void Model<dim>::restore()
 {
+  if (conversion_)
+    conversion_->restore();
   if (fem_)
     fem_->restore();
   if (sph_)
@@ -258,6 +198,8 @@ void Model<dim>::restore()
 template <int dim>
 void Model<dim>::save(ArchiveWriter &archive) const
 {
+  if (conversion_)
+    conversion_->save(archive, "conversion");
   if (fem_)
     fem_->save(archive, "fem");
   if (sph_)
@@ -269,6 +211,8 @@ void Model<dim>::save(ArchiveWriter &archive) const
 template <int dim>
 void Model<dim>::load(const ArchiveReader &archive)
 {
+  if (conversion_)
+    conversion_->load(archive, "conversion");
   if (fem_)
     fem_->load(archive, "fem");
   if (sph_)
@@ -281,6 +225,8 @@ template <int dim>
 LedgerRow Model<dim>::ledger() const
 {
   CouplingBalance coupling = coupler_->balance();
+  if (conversion_)
+    coupling.conversion_heat += conversion_->heat();
   for (const Party party : {mesh_party, particle_party})
   {
     const double error = parts_error(party);
@@ -291,14 +237,24 @@ LedgerRow Model<dim>::ledger() const
 }
 
 template <int dim>
+Sample Model<dim>::mesh_sample(int body) const
+{
+  return fem_ ? fem_->sample(body) : Sample();
+}
+
+template <int dim>
+Sample Model<dim>::particle_sample(int body) const
+{
+  return sph_ ? sph_->sample(body) : Sample();
+}
+
+template <int dim>
 Sample Model<dim>::sample(int body) const
 {
-  Sample sample;
-  if (fem_)
-    sample = fem_->sample(body);
-  if (sph_ && sample.mass.empty())
-    sample = sph_->sample(body);
-  return sample;
+  Sample mesh = mesh_sample(body), particles = particle_sample(body);
+  if (particles.mass.empty())
+    return mesh;
+  return mesh.mass.empty() ? particles : joined(std::move(mesh), particles);
 }
 
 template <int dim>
@@ -313,7 +269,7 @@ std::vector<fem::MeshQuality> Model<dim>::mesh_qualities(const input::Scene &sce
   const auto                    materials = build_materials(scene);
   std::vector<fem::MeshQuality> qualities;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
-    if (const input::Body &body = scene.bodies[b]; body.method == input::Method::fem)
+    if (const input::Body &body = scene.bodies[b]; body.method != input::Method::sph)
       qualities.push_back(fem::measure_quality(
         fem::make_mesh<dim>(body, scene, static_cast<int>(b), materials.at(body.material)), body.name, scene.fem));
   return qualities;

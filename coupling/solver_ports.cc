@@ -75,6 +75,10 @@ public:
   {
     solver_.seam_forces(body, f);
   }
+  void seam_normals(int body, const std::array<std::span<double>, dim> &area) override
+  {
+    solver_.seam_normals(body, area);
+  }
   void weigh(std::span<const std::int64_t> ids, std::span<const double> shares) override { solver_.weigh(ids, shares); }
   double                              seam_work() const override { return solver_.seam_work(); }
   typename ParticlePort<dim>::Lattice lattice(int body) const override

@@ -51,6 +51,12 @@ struct Solver<dim>::Implementation
   std::map<std::uint32_t, double>                 mass_factor;      ///< over their own, of nodes that carry others
   double                                          least_factor = 1; ///< of these, or 1
 
+  /// An element among its group.
+  struct Place
+  {
+    std::size_t group, element;
+  };
+  Place      find(std::uint32_t element) const;
   void       build(std::vector<BodyMesh<dim>>);
   std::vector<std::uint32_t> wall_nodes(const std::vector<BodyMesh<dim>> &) const;
   void       review_erosion();
