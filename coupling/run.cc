@@ -109,6 +109,8 @@ public:
       clock_.advance();
       report_.limited_by(limit);
       convert();
+      if (const std::string note = model_.review(); !note.empty())
+        log_.warn(note);
       watch(step);
     }
     return finish();
