@@ -71,15 +71,18 @@ void Coupler<dim>::build_interfaces(const input::Scene &scene)
     InterfaceSpec spec;
     spec.name          = entry.name;
     spec.method        = entry.method;
-    spec.particle_body = entry.particles;
-    spec.mesh_body     = entry.mesh;
-    spec.particles     = body_named(scene, entry.particles, entry.name);
-    spec.mesh          = body_named(scene, entry.mesh, entry.name);
+    spec.particle_body = entry.body.empty() ? entry.particles : entry.body;
+    spec.mesh_body     = entry.body.empty() ? entry.mesh : entry.body;
+    spec.particles     = body_named(scene, spec.particle_body, entry.name);
+    spec.mesh          = body_named(scene, spec.mesh_body, entry.name);
+    if (!entry.body.empty())
+      spec.per_edge = static_cast<int>(scene.bodies[static_cast<std::size_t>(spec.mesh)].conversion.per_edge);
     spec.symmetry_axes  = cut_axes(scene);
     spec.axisymmetric   = axisymmetric_;
     spec.damping        = entry.damping;
     spec.pair_viscosity = entry.pair_viscosity;
-    if (party_of(scene, spec.particles) != particle_party || party_of(scene, spec.mesh) != mesh_party)
+    if (entry.body.empty() &&
+        (party_of(scene, spec.particles) != particle_party || party_of(scene, spec.mesh) != mesh_party))
       throw InputError({scene.file, 0, entry.name},
                        "an interface joins a body of particles and a body of elements",
                        "\"" + entry.particles + "\" with method sph and \"" + entry.mesh +
@@ -169,6 +172,13 @@ void Coupler<dim>::drive()
   for (int a = 0; a < dim; ++a)
     velocity[a] = slaves_.velocity[a];
   particles_->drive_slaves(velocity);
+}
+
+template <int dim>
+void Coupler<dim>::renew()
+{
+  for (auto &interface : interfaces_)
+    interface->renew();
 }
 
 template <int dim>

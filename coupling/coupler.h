@@ -60,6 +60,8 @@ public:
   void gather();
   /// Velocities of the tied particles, from the nodes just kicked.
   void drive();
+  /// Once elements have turned into particles, between two steps.
+  void renew();
   /// Books the energy of the step. Call once both parties have stepped.
   void close(const TimeStep &);
 

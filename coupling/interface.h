@@ -62,6 +62,9 @@ public:
   /// Books the work of the step.
   virtual void close(const Faces<dim> &, const Slaves<dim> &, const TimeStep &) = 0;
 
+  /// Elements of the body have just turned into particles.
+  virtual void renew() {}
+
   virtual const InterfaceEnergy &energy() const                                   = 0;
   virtual void                   snapshot()                                       = 0;
   virtual void                   restore()                                        = 0;

@@ -101,6 +101,13 @@ void PairFluxInterface<dim>::board(const Faces<dim> &faces)
 }
 
 template <int dim>
+void PairFluxInterface<dim>::renew()
+{
+  board(Faces<dim>::look(&mesh_, &particles_));
+  find_feet(Faces<dim>::look(&mesh_, &particles_));
+}
+
+template <int dim>
 void PairFluxInterface<dim>::find_feet(const Faces<dim> &faces)
 {
   const auto  &cloud = faces[particle_party];

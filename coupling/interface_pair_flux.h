@@ -31,6 +31,7 @@ public:
   void gather(Faces<dim> &, const Slaves<dim> &) override;
   void drive(const Faces<dim> &, Slaves<dim> &) const override;
   void close(const Faces<dim> &, const Slaves<dim> &, const TimeStep &) override;
+  void renew() override;
 
   const InterfaceEnergy &energy() const override { return energy_; }
   void                   snapshot() override;

@@ -209,7 +209,10 @@ std::vector<ConversionEvent> Model<dim>::convert(std::int64_t step, double time)
   if (!conversion_)
     return {};
   const Stopwatch watch(fem_seconds_);
-  return conversion_->convert(step, time);
+  auto events = conversion_->convert(step, time);
+  if (!events.empty())
+    coupler_->renew();
+  return events;
 }
 
 template <int dim>
