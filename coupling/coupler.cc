@@ -35,6 +35,27 @@ double coming_radius(const input::Body &body)
   return body.method == input::Method::automatic ? .5 * body.spacing / body.conversion.per_edge : 0.;
 }
 
+/// Seams of particles and elements: those of the scene, and one within each body
+/// with method auto that the scene says nothing of.
+std::vector<input::Interface> seams_of(const input::Scene &scene)
+{
+  std::vector<input::Interface> seams;
+  for (const auto &entry : scene.interfaces)
+    if (!entry.joins_meshes()) // else the mesh solver's own affair
+      seams.push_back(entry);
+  for (const auto &body : scene.bodies)
+    if (body.method == input::Method::automatic &&
+        std::none_of(seams.begin(), seams.end(), [&](const auto &i) { return i.body == body.name; }))
+    {
+      input::Interface seam;
+      seam.name   = body.name + "-seam";
+      seam.body   = body.name;
+      seam.method = "pair-flux";
+      seams.push_back(seam);
+    }
+  return seams;
+}
+
 /// Cuts of the model: symmetry planes and the axis of rotation.
 std::vector<int> cut_axes(const input::Scene &scene)
 {
@@ -64,25 +85,27 @@ Coupler<dim>::~Coupler() = default;
 template <int dim>
 void Coupler<dim>::build_interfaces(const input::Scene &scene)
 {
-  for (const auto &entry : scene.interfaces)
+  for (const input::Interface &entry : seams_of(scene))
   {
-    if (entry.joins_meshes()) // the mesh solver's own affair
-      continue;
     InterfaceSpec spec;
-    spec.name          = entry.name;
-    spec.method        = entry.method;
-    spec.particle_body = entry.body.empty() ? entry.particles : entry.body;
-    spec.mesh_body     = entry.body.empty() ? entry.mesh : entry.body;
-    spec.particles     = body_named(scene, spec.particle_body, entry.name);
-    spec.mesh          = body_named(scene, spec.mesh_body, entry.name);
-    if (!entry.body.empty())
-      spec.per_edge = static_cast<int>(scene.bodies[static_cast<std::size_t>(spec.mesh)].conversion.per_edge);
+    const bool    within = !entry.body.empty();
+    spec.name           = entry.name;
+    spec.method         = entry.method;
+    spec.particle_body  = within ? entry.body : entry.particles;
+    spec.mesh_body      = within ? entry.body : entry.mesh;
+    spec.particles      = body_named(scene, spec.particle_body, entry.name);
+    spec.mesh           = body_named(scene, spec.mesh_body, entry.name);
     spec.symmetry_axes  = cut_axes(scene);
     spec.axisymmetric   = axisymmetric_;
     spec.damping        = entry.damping;
     spec.pair_viscosity = entry.pair_viscosity;
-    if (entry.body.empty() &&
-        (party_of(scene, spec.particles) != particle_party || party_of(scene, spec.mesh) != mesh_party))
+    spec.per_edge       = within ? static_cast<int>(scene.bodies[spec.mesh].conversion.per_edge) : 0;
+    if (within && spec.method != "pair-flux")
+      throw InputError({scene.file, 0, "Interfaces/" + entry.name},
+                       "the seam of a body whose elements turn into particles moves, and \"" + spec.method +
+                         "\" does not follow",
+                       "method = pair-flux");
+    if (!within && (party_of(scene, spec.particles) != particle_party || party_of(scene, spec.mesh) != mesh_party))
       throw InputError({scene.file, 0, entry.name},
                        "an interface joins a body of particles and a body of elements",
                        "\"" + entry.particles + "\" with method sph and \"" + entry.mesh +
@@ -145,6 +168,13 @@ void Coupler<dim>::build_contacts(const input::Scene &scene)
 }
 
 template <int dim>
+void Coupler<dim>::renew()
+{
+  for (auto &interface : interfaces_)
+    interface->renew();
+}
+
+template <int dim>
 void Coupler<dim>::gather()
 {
   auto faces = Faces<dim>::look(mesh_.get(), particles_.get());
@@ -172,13 +202,6 @@ void Coupler<dim>::drive()
   for (int a = 0; a < dim; ++a)
     velocity[a] = slaves_.velocity[a];
   particles_->drive_slaves(velocity);
-}
-
-template <int dim>
-void Coupler<dim>::renew()
-{
-  for (auto &interface : interfaces_)
-    interface->renew();
 }
 
 template <int dim>

@@ -55,13 +55,13 @@ public:
   Coupler(const input::Scene &, std::unique_ptr<MeshPort<dim>>, std::unique_ptr<ParticlePort<dim>>);
   ~Coupler();
 
+  /// Between two steps, after elements have turned into particles.
+  void renew();
   /// Contact and interface forces at t_n into Surface::force of both parties
   /// (what stands there is cleared first).
   void gather();
   /// Velocities of the tied particles, from the nodes just kicked.
   void drive();
-  /// Once elements have turned into particles, between two steps.
-  void renew();
   /// Books the energy of the step. Call once both parties have stepped.
   void close(const TimeStep &);
 

@@ -54,6 +54,9 @@ class Interface
 public:
   virtual ~Interface() = default;
 
+  /// Between two steps, after elements have turned into particles.
+  virtual void renew() {}
+
   /// Adds its forces at t_n to Faces::force; Slaves::force is what acts on the
   /// slaves at t_n, contact included.
   virtual void gather(Faces<dim> &, const Slaves<dim> &) = 0;
@@ -61,9 +64,6 @@ public:
   virtual void drive(const Faces<dim> &, Slaves<dim> &) const = 0;
   /// Books the work of the step.
   virtual void close(const Faces<dim> &, const Slaves<dim> &, const TimeStep &) = 0;
-
-  /// Elements of the body have just turned into particles.
-  virtual void renew() {}
 
   virtual const InterfaceEnergy &energy() const                                   = 0;
   virtual void                   snapshot()                                       = 0;

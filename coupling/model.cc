@@ -208,8 +208,8 @@ std::vector<ConversionEvent> Model<dim>::convert(std::int64_t step, double time)
 {
   if (!conversion_)
     return {};
-  const Stopwatch watch(fem_seconds_);
-  auto events = conversion_->convert(step, time);
+  const Stopwatch watch(sph_seconds_);
+  auto            events = conversion_->convert(step, time);
   if (!events.empty())
     coupler_->renew();
   return events;

@@ -86,6 +86,7 @@ public:
   virtual Riders riders(int) { return {}; }
   virtual void   set_seam_hourglass(int, double) {}
   virtual void   seam_forces(int, const std::array<std::span<double>, dim> &) const {}
+  virtual void   seam_normals(int, const std::array<std::span<double>, dim> &) {}
   virtual double seam_work() const { return 0; }
   /// Distances of the layers of a body's lattice at the start, m, and how far its
   /// particles reach, m.

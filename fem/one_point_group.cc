@@ -352,48 +352,6 @@ void OnePointGroup<Element>::stress(std::size_t pack, const Shape &shape, const 
   }
 }
 
-/// Adds the viscous stress of damp(); returns its share of stiffness, s. Its heat
-/// is booked with that of the bulk viscosity.
-template <class Element>
-VDouble OnePointGroup<Element>::add_damping(std::size_t pack, const VDouble &length, const Motion &motion,
-                                            VDouble (&sigma)[6])
-{
-  const std::size_t e       = pack * width;
-  const VDouble     density = load(&points_.density[e]), c = load(&points_.sound_speed[e]);
-  const VDouble     share   = load(&damping_share_[e]) * length / c;
-  const double      shear   = shear_modulus_;
-  const VDouble     lame    = density * c * c - 2. * shear;
-  const VDouble     trace   = motion.dual[0] + motion.dual[1] + motion.dual[2];
-  for (int k = 0; k < 6; ++k)
-  {
-    const VDouble viscous = share * (k < 3 ? VDouble(lame * trace + 2. * shear * motion.dual[k]) : VDouble(shear * motion.dual[k]));
-    store(viscous, &damping_stress_[k][e]);
-    sigma[k] += viscous;
-  }
-  return share;
-}
-
-/// Half of the work of the viscous stress in place on a strain, J/m^3.
-template <class Element>
-VDouble OnePointGroup<Element>::half_damping(std::size_t pack, const Motion &motion) const
-{
-  VDouble work(0.);
-  for (int k = 0; k < 6; ++k)
-    work += (k < 3 ? .5 : 1.) * load(&damping_stress_[k][pack * width]) * motion.strain[k];
-  return work;
-}
-
-template <class Element>
-void OnePointGroup<Element>::damp(std::span<const std::size_t> elements, double share)
-{
-  damping_share_.assign(elements.empty() ? 0 : padded_n_, 0.);
-  for (auto &component : damping_stress_)
-    component.assign(damping_share_.size(), 0.);
-  for (const std::size_t e : elements)
-    for (std::size_t k = e; k < (e + 1 == n_ ? padded_n_ : e + 1); ++k)
-      damping_share_[k] = share;
-}
-
 template class OnePointGroup<Line2>;
 template class OnePointGroup<Quad4>;
 template class OnePointGroup<Quad4Axisymmetric>;

@@ -94,6 +94,7 @@ private:
   void bury(std::size_t e);
 
   VDouble add_damping(std::size_t pack, const VDouble &length, const Motion &, VDouble (&sigma)[6]);
+  void    prepare_damping();
   VDouble half_damping(std::size_t pack, const Motion &) const;
 
   // one_point_correction.cc

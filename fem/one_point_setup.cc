@@ -75,6 +75,8 @@ OnePointGroup<Element>::OnePointGroup(const BodyMesh<dim> &mesh, const GroupPlac
       component.resize(corrected_ ? mesh.n_nodes() : 0, 0.);
   weak_pressure_.resize(corrected_ ? padded_n_ : 0, 0.);
   half_correction_.resize(corrected_ ? padded_n_ : 0, 0.);
+  if (mesh.converts) // a seam will come
+    prepare_damping();
   find_rows();
 }
 
