@@ -134,6 +134,8 @@ void check(const CheckArguments &a)
   for (const input::Contact &c : scene.contacts)
     std::printf("  contact    %-16s %s and %s, friction %g\n", c.name.c_str(), c.first.c_str(), c.second.c_str(),
                 c.friction);
+  for (const coupling::InitialOverlap &o : plan.overlaps)
+    std::printf("  warning    %s\n", o.describe().c_str());
   std::printf("  counts     %zu particles, %zu elements, %.6g kg\n", plan.particles, plan.elements, plan.mass);
 
   for (const auto &[body, share] : plan.added_mass_fraction)

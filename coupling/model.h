@@ -10,6 +10,7 @@
 #include "coupling/conversion.h"
 #include "coupling/coupler.h"
 #include "coupling/ledger.h"
+#include "coupling/subcycling.h"
 #include "fem/mesh_quality.h"
 #include "fem/solver.h"
 #include "sph/solver.h"
@@ -40,7 +41,13 @@ public:
 
   /// One step of all: forces of the coupling at t_n, the mesh, the slaves, the
   /// particles, the books.
+  /// Where the scene lets one solver take several steps in one of the other,
+  /// all of that in parts of the step (coupling/subcycling.h).
   StepStatus step(const TimeStep &);
+  /// After a step: empty, or what to tell when parts of steps end by their error.
+  std::string review();
+  /// Parts of the last step.
+  std::size_t parts() const { return parts_; }
 
   /// Between two steps: elements of bodies with method auto that must turn into
   /// particles do. Snapshots taken before are void if there are events.
@@ -86,12 +93,23 @@ public:
   double        fem_seconds() const { return fem_seconds_; }
 
 private:
+  /// `moves`: of points that would overlap.
+  void build(const input::Scene &, const std::vector<Move> &moves);
+  // model_step.cc
+  void       begin_parts(const input::Scene &);
+  StepLimit  fine_limit() const;
+  StepLimit  coarse_limit() const;
+  StepStatus take_part(const TimeStep &whole, std::size_t j);
+  double     parts_error(Party) const; ///< of steps in parts, J
+
   std::size_t                        n_walls_;
   std::vector<std::pair<int, int>>   contact_bodies_; ///< of each contact of the scene
   std::unique_ptr<fem::Solver<dim>>  fem_;
   std::unique_ptr<sph::Solver<dim>>  sph_;
   std::unique_ptr<Conversion<dim>>   conversion_; ///< where a body has method auto
   std::unique_ptr<Coupler<dim>>      coupler_;
+  Subcycling                         subcycling_;
+  std::size_t                        parts_ = 1;
   std::vector<std::string>           mesh_notes_;
   double                             sph_seconds_ = 0, fem_seconds_ = 0;
 };

@@ -77,8 +77,7 @@ public:
     for (const std::string &note : model_.mesh_notes())
       log_.warn(note);
     for (const InitialOverlap &o : model_.initial_overlaps())
-      log_.warn("contact \"" + o.contact + "\": " + std::to_string(o.count) + " points overlap at the start, by up to " +
-                engineering(o.worst) + " m; their gap counts as zero until it opens");
+      log_.warn(o.describe());
     if (const double bare = model_.ledger().gradient_fallbacks; bare > 0)
       log_.warn(std::to_string(static_cast<int>(bare)) + " particles begin without a corrected gradient: a body, or a " +
                 "part of one, is a single particle thick there; its elastic energy is not to be trusted. Take a smaller spacing");
@@ -110,6 +109,8 @@ public:
       clock_.advance();
       report_.limited_by(limit);
       convert();
+      if (const std::string note = model_.review(); !note.empty())
+        log_.warn(note);
       watch(step);
     }
     return finish();
@@ -316,6 +317,7 @@ Plan make_plan(const input::Scene &scene)
   plan.steps     = std::ceil(scene.end_time / plan.limit.dt);
   plan.mass      = model.ledger().mass;
   plan.ties      = model.ties();
+  plan.overlaps  = model.initial_overlaps();
   plan.added_mass_fraction = added_mass<dim>(scene, model);
   plan.meshes    = model.mesh_qualities(scene);
   // an iteration costs about two steps, and it takes hundreds

@@ -141,7 +141,7 @@ void Solver<dim>::Implementation::pack_viscosity()
         r[V::mass]     = store.mass[i];
         r[V::density]  = p.density;
         r[V::sound]    = p.sound;
-        r[V::strength] = strength(i, p);
+        r[V::strength] = strength(i, p) * shared(i);
         r[V::split]    = shock_share(b, i, p);
         Law{o.alpha, o.beta, b.h}.prepare(p, r + V::extra);
         if (limited)
