@@ -5,7 +5,6 @@
 #include "coupling/laws.h"
 
 #include <algorithm>
-#include <sstream>
 #include <utility>
 
 namespace ogive::coupling
@@ -43,72 +42,26 @@ ContactSet<dim>::ContactSet(std::vector<ContactSpec> specs, std::vector<int> sym
     const bool particles = spec.first_party == particle_party && spec.second_party == particle_party;
     if (spec.first_party == particle_party || spec.second_party == mesh_party)
       pairs_.emplace_back(spec, false, Meeting::surface, next());
-    if (spec.first_party == mesh_party || particles)
+    if (!spec.meets_itself() && (spec.first_party == mesh_party || particles))
       pairs_.emplace_back(spec, true, Meeting::surface, next());
     if (particles)
       pairs_.emplace_back(spec, false, Meeting::balls, next());
+    if (spec.meets_itself() && particles)
+      fragments_.emplace_back(spec.first, spec.joined_within, spec.joined_at_start);
   }
-}
-
-template <int dim>
-void ContactSet<dim>::start(const Faces<dim> &faces)
-{
-  overlaps_.clear();
-  for (auto &pair : pairs_)
-  {
-    pair.measure(faces, symmetry_axes_);
-    pair.update(faces, symmetry_axes_);
-    const std::size_t first = state_.list.records.size();
-    pair.detect_overlaps(faces, state_.list);
-    const std::span<Record> found(state_.list.records.data() + first, state_.list.records.size() - first);
-    for (auto &record : found)
-    {
-      begin_contact(faces, pair, state_.list, record);
-      record.offset = record.depth;
-    }
-    review_overlaps(faces, pair, found);
-    for (auto &record : found)
-      record.depth = 0;
-  }
-  state_.topology = faces[mesh_party].topology;
-  kept_           = state_;
-}
-
-template <int dim>
-void ContactSet<dim>::review_overlaps(const Faces<dim> &faces, const ContactPair<dim> &pair,
-                                      std::span<const Record> found)
-{
-  // Bodies drawn flush touch within rounding of their coordinates.
-  const double   rounding = 1e-6 * pair.half_spacing();
-  InitialOverlap overlap{pair.spec().name, 0, 0, Vec3::Zero()};
-  for (const auto &record : found)
-    if (record.depth > rounding)
-    {
-      ++overlap.count;
-      if (record.depth > overlap.worst)
-      {
-        overlap.worst = record.depth;
-        overlap.where = spatial<dim>(faces.position(pair.point_party(), record.point));
-      }
-    }
-  if (overlap.count == 0)
-    return;
-  if (overlap.worst > pair.half_spacing())
-  {
-    std::ostringstream message;
-    message << "contact \"" << overlap.contact << "\": the bodies overlap at the start by " << overlap.worst
-            << " m at (" << overlap.where.transpose() << ") m, more than half a spacing ("
-            << pair.half_spacing() << " m); move them apart";
-    throw InputError({"", 0, "Contacts/" + overlap.contact}, message.str());
-  }
-  overlaps_.push_back(overlap);
+  told_.assign(fragments_.size(), 0);
 }
 
 template <int dim>
 void ContactSet<dim>::begin_contact(const Faces<dim> &faces, const ContactPair<dim> &pair, const List &list,
                                     Record &record) const
 {
-  record.stiffness = penalty_stiffness(pair.share(), pair.inverse_mass(faces, list, record), reference_dt_);
+  // What a point has of its own share of the leapfrog's limit, over what one
+  // contact takes of it; a tenth is kept back.
+  const double room    = .9 * 2 * (1 - step_share_ * step_share_) / .1;
+  const double inverse = std::max(pair.inverse_mass(faces, list, record),
+                                  pair.crowded_inverse_mass(faces, list, record) / room);
+  record.stiffness            = penalty_stiffness(pair.share(), inverse, reference_dt_);
   record.tangential_stiffness = pair.spec().friction > 0 ? record.stiffness : 0;
 }
 
@@ -202,13 +155,19 @@ void ContactSet<dim>::gather(Faces<dim> &faces)
 {
   const bool death = std::exchange(state_.topology, faces[mesh_party].topology) != faces[mesh_party].topology;
   List       list;
+  std::vector<int> broken; // bodies with new fragments
+  for (auto &fragments : fragments_)
+    if (fragments.update(faces))
+      broken.push_back(fragments.body());
   auto       old = state_.list.records.begin();
   const auto end = state_.list.records.end();
   for (auto &pair : pairs_)
   {
     const auto stop =
       std::find_if(old, end, [&](const Record &r) { return r.key.pair != pair.index(); });
-    pair.update(faces, symmetry_axes_);
+    pair.update(faces, symmetry_axes_, fragments_of(pair));
+    const bool bridge = death || (pair.spec().meets_itself() &&
+                                  std::find(broken.begin(), broken.end(), pair.point_body()) != broken.end());
     const std::size_t first = list.records.size();
     pair.detect(faces, {old, stop}, state_.last_drift, list, state_.lost);
     for (std::size_t k = first; k < list.records.size(); ++k)
@@ -217,7 +176,7 @@ void ContactSet<dim>::gather(Faces<dim> &faces)
       for (; old != stop && old->key < record.key; ++old)
         end_contact(*old, death);
       const bool lasts = old != stop && old->key == record.key;
-      if (death)
+      if (bridge)
         bridge_death(faces, pair, lasts ? &*old : nullptr, list, record);
       continue_contact(faces, pair, lasts ? &*old : nullptr, list, record);
       if (lasts)
@@ -346,11 +305,30 @@ void ContactSet<dim>::close(const Faces<dim> &faces, const TimeStep &step)
 }
 
 template <int dim>
-void ContactSet<dim>::restore()
+const Fragments<dim> *ContactSet<dim>::fragments_of(const ContactPair<dim> &pair) const
 {
-  state_ = kept_;
-  for (auto &pair : pairs_)
-    pair.forget();
+  if (pair.spec().meets_itself() && pair.point_party() == particle_party)
+    for (const auto &fragments : fragments_)
+      if (fragments.body() == pair.point_body())
+        return &fragments;
+  return nullptr;
+}
+
+template <int dim>
+std::vector<std::int64_t> ContactSet<dim>::new_pieces()
+{
+  bool fresh = false;
+  for (std::size_t f = 0; f < fragments_.size(); ++f)
+    fresh |= std::exchange(told_[f], fragments_[f].version()) != fragments_[f].version();
+  std::vector<std::int64_t> pieces;
+  for (std::size_t f = 0; fresh && f < fragments_.size(); ++f)
+  {
+    const auto label = fragments_[f].label();
+    pieces.resize(std::max(pieces.size(), label.size()), Fragments<dim>::unknown);
+    for (std::size_t i = 0; i < label.size(); ++i)
+      pieces[i] = std::max(pieces[i], label[i]);
+  }
+  return pieces;
 }
 
 template <int dim>
@@ -364,6 +342,8 @@ template <int dim>
 Vec3 ContactSet<dim>::force(int a, int b) const
 {
   Vec3 sum = Vec3::Zero();
+  if (a == b)
+    return sum;
   for (const auto &record : state_.list.records)
   {
     const auto &pair = pairs_[record.key.pair];
@@ -373,94 +353,6 @@ Vec3 ContactSet<dim>::force(int a, int b) const
       sum -= spatial<dim>(record.force);
   }
   return sum;
-}
-
-template <int dim>
-void ContactSet<dim>::save(ArchiveWriter &archive, const std::string &prefix) const
-{
-  std::vector<std::int64_t> names;
-  std::vector<double>       values;
-  for (const auto &r : state_.list.records)
-  {
-    names.insert(names.end(), {r.key.pair, r.key.point, r.key.other});
-    values.insert(values.end(), {r.stiffness, r.tangential_stiffness, r.offset, r.depth, r.next});
-    for (const Point<dim> *p : {&r.normal, &r.spring, &r.slide, &r.force})
-      values.insert(values.end(), p->data(), p->data() + dim);
-  }
-  archive.write(prefix + "/contacts", names);
-  archive.write(prefix + "/contact_state", values);
-
-  const auto                 &e     = state_.energy;
-  const auto                 &limit = state_.limit;
-  const std::vector<double>   totals{e.taken,
-                                     e.stored,
-                                     e.friction_heat,
-                                     e.work[0],
-                                     e.work[1],
-                                     state_.impulse,
-                                     reference_dt_,
-                                     state_.last_drift,
-                                     limit.dt,
-                                     limit.culprit.where[0],
-                                     limit.culprit.where[1],
-                                     limit.culprit.where[2],
-                                     e.eroded};
-  const std::vector<std::int64_t> counts{state_.lost, static_cast<std::int64_t>(state_.topology), limit.culprit.body, limit.culprit.id};
-  archive.write(prefix + "/contact_totals", totals);
-  archive.write(prefix + "/contact_plane_impulse",
-                std::span<const double>(state_.plane_impulse.data(), static_cast<std::size_t>(dim)));
-  archive.write(prefix + "/contact_counts", counts);
-}
-
-template <int dim>
-void ContactSet<dim>::load(const ArchiveReader &archive, const std::string &prefix)
-{
-  const auto     names  = archive.integers(prefix + "/contacts");
-  const auto     values = archive.doubles(prefix + "/contact_state");
-  const auto     totals = archive.doubles(prefix + "/contact_totals");
-  const auto     counts = archive.integers(prefix + "/contact_counts");
-  constexpr auto width  = static_cast<std::size_t>(5 + 4 * dim);
-  const auto     n      = names.size() / 3;
-  if (names.size() != 3 * n || values.size() != width * n || totals.size() != 13 || counts.size() != 4)
-    throw InputError("the checkpoint's contacts (" + prefix + ") do not belong to this scene");
-
-  State state;
-  state.list.records.resize(n);
-  for (std::size_t c = 0; c < n; ++c)
-  {
-    auto         &r = state.list.records[c];
-    const double *v = values.data() + width * c;
-    r.key           = {names[3 * c], names[3 * c + 1], names[3 * c + 2]};
-    if (r.key.pair < 0 || r.key.pair >= static_cast<std::int64_t>(pairs_.size()))
-      throw InputError("the checkpoint holds a contact that the scene does not list");
-    r.stiffness            = v[0];
-    r.tangential_stiffness = v[1];
-    r.offset               = v[2];
-    r.depth                = v[3];
-    r.next                 = v[4];
-    v += 5;
-    for (Point<dim> *p : {&r.normal, &r.spring, &r.slide, &r.force})
-    {
-      *p = Eigen::Map<const Point<dim>>(v);
-      v += dim;
-    }
-  }
-  state.energy        = {totals[0], totals[1], totals[2], totals[12], {totals[3], totals[4]}};
-  state.impulse       = totals[5];
-  reference_dt_       = totals[6];
-  state.last_drift    = totals[7];
-  state.limit.dt      = totals[8];
-  const auto planes   = archive.doubles(prefix + "/contact_plane_impulse");
-  if (planes.size() != static_cast<std::size_t>(dim))
-    throw InputError("the checkpoint's contacts (" + prefix + ") do not belong to this scene");
-  state.plane_impulse = Eigen::Map<const Point<dim>>(planes.data());
-  state.lost          = counts[0];
-  state.topology      = static_cast<std::uint64_t>(counts[1]);
-  state.limit.culprit = {"contact", static_cast<int>(counts[2]), counts[3],
-                         Vec3(totals[9], totals[10], totals[11]),
-                         "stiffness of its contacts against its mass"};
-  kept_               = std::move(state);
-  restore();
 }
 
 template class ContactSet<1>;

@@ -4,6 +4,7 @@
 #include "core/io/archive.h"
 #include "core/time/time_step.h"
 #include "coupling/contact_pair.h"
+#include "coupling/fragments.h"
 #include "coupling/surfaces.h"
 
 #include <cstdint>
@@ -28,14 +29,28 @@ struct ContactEnergy
   double loss() const { return taken - stored - friction_heat - eroded; }
 };
 
-/// Bodies that already overlap at the start. Healed: their gap then counts as
-/// zero until it opens.
+/// Bodies that already overlap at the start. At rest: their gap then counts as
+/// zero until it opens. Healed: the points were moved apart.
 struct InitialOverlap
 {
   std::string contact;
   std::size_t count = 0;
   double      worst = 0; ///< m
   Vec3        where = Vec3::Zero();
+  bool        healed = false;
+  double      moved  = 0; ///< farthest that a point was moved to heal it, m
+
+  /// For the log: how many points, how deep, where, and what becomes of it.
+  std::string describe() const;
+};
+
+/// A point to be moved before the run begins, so that bodies do not overlap.
+struct Move
+{
+  int          body  = 0;
+  Party        party = mesh_party;
+  std::int64_t id    = 0;
+  Vec3         by    = Vec3::Zero(); ///< m
 };
 
 /// Penalty contact with Coulomb friction between the pairs of bodies of a
@@ -60,9 +75,15 @@ public:
   ContactSet(std::vector<ContactSpec> specs, std::vector<int> symmetry_axes, double reference_dt,
              double step_share);
 
-  /// Measures sizes and heals overlaps at t = 0, once. InputError if bodies
-  /// overlap by more than half a spacing.
+  /// Measures sizes and settles overlaps at t = 0, once. InputError if bodies
+  /// overlap by more than half a spacing, or at all where they must not.
   void start(const Faces<dim> &);
+  /// Moves that leave the contacts with overlap = heal without one: by point, each
+  /// along the way out, as often as it takes. Asked for before start(); InputError
+  /// as there.
+  std::vector<Move> healing(const Faces<dim> &, std::vector<InitialOverlap> &healed);
+  /// Told by whoever has made the moves.
+  void report_healed(std::vector<InitialOverlap> healed);
   /// Finds the contacts at x(t_n) and adds their forces to Faces::force.
   void gather(Faces<dim> &);
   /// Books the step just made, from the velocities before and after it.
@@ -79,7 +100,10 @@ public:
   std::size_t                        active() const;
   /// Contacts given up because the point had gone too deep.
   std::int64_t lost() const { return state_.lost; }
-  /// Force on body `a` by body `b` at the last gather, N.
+  /// Fragment of each particle by id, to tell the particle solver (see
+  /// ParticlePort::set_pieces); empty unless there are new ones since the last call.
+  std::vector<std::int64_t> new_pieces();
+  /// Force on body `a` by body `b` at the last gather, N; none on itself.
   Vec3 force(int a, int b) const;
   /// Sum of |force| kick over all contacts and steps, N s: the scale for momentum.
   double impulse() const { return state_.impulse; }
@@ -87,7 +111,7 @@ public:
   /// Given by the symmetry planes to the bodies through contact, N s.
   Point<dim> plane_impulse() const { return state_.plane_impulse; }
 
-  void snapshot() { kept_ = state_; }
+  void snapshot();
   void restore();
   void save(ArchiveWriter &, const std::string &prefix) const;
   void load(const ArchiveReader &, const std::string &prefix);
@@ -122,12 +146,20 @@ private:
   void end_contact(const Record &, bool death);
   void add_forces(Faces<dim> &) const;
   void limit_step(const Faces<dim> &);
-  void review_overlaps(const Faces<dim> &, const ContactPair<dim> &, std::span<const Record>);
+  /// What of the records is deeper than rounding. InputError if it may not be.
+  InitialOverlap overlap_of(const Faces<dim> &, const ContactPair<dim> &, std::span<const Record>) const;
+  const Fragments<dim> *fragments_of(const ContactPair<dim> &) const;
+  /// Bodies of particles that meet themselves.
+  void start_fragments(const Faces<dim> &);
+  void save_fragments(ArchiveWriter &, const std::string &prefix) const;
 
   std::vector<ContactPair<dim>> pairs_;
   std::vector<int>              symmetry_axes_;
   double                        reference_dt_, step_share_;
   std::vector<InitialOverlap>   overlaps_;
   State                         state_, kept_;
+  std::vector<Fragments<dim>>   fragments_;
+  std::vector<std::vector<std::int64_t>> kept_fragments_;
+  std::vector<std::int64_t>     told_; ///< version of each that the particle solver knows
 };
 } // namespace ogive::coupling

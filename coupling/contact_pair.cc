@@ -2,6 +2,7 @@
 #include "coupling/contact_pair.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace ogive::coupling
 {
@@ -15,6 +16,8 @@ constexpr double deepest = 2;
 // A node stands for half a facet to either side, so a face carries nodes that
 // are up to half a facet (the finest of the body) past its rim, the less the farther.
 constexpr double rim_share = .5;
+// A node is not pressed in by this share of a facet within a step.
+constexpr double far_side_share = .25;
 
 template <int dim>
 double largest_radius(const Faces<dim> &faces, int party, const std::vector<std::uint32_t> &points)
@@ -44,12 +47,47 @@ ContactPair<dim>::ContactPair(const ContactSpec &spec, bool swapped, Meeting mee
 template <int dim>
 void ContactPair<dim>::measure(const Faces<dim> &faces, const std::vector<int> &symmetry_axes)
 {
-  const auto   coming     = [&](int body) { return body == spec_.first ? spec_.first_radius : spec_.second_radius; };
-  const auto   size_of    = [&](int party, int body) {
-    const double now = largest_radius(faces, party, contact_points(faces[party], body));
-    return 2 * (party == particle_party ? std::max(now, coming(body)) : now);
+  if (other_party_ == mesh_party)
+  {
+    const auto &surface = faces[other_party_];
+    const auto  facets  = true_facets(surface, other_body_, symmetry_axes);
+    Box<dim>    box;
+    finest_     = std::numeric_limits<double>::infinity();
+    facet_size_ = 0;
+    for (const auto &facet : facets)
+    {
+      const double edge = facet_size(surface, facet);
+      finest_           = std::min(finest_, edge);
+      facet_size_ += edge / static_cast<double>(facets.size());
+      for (const std::uint32_t i : facet.node)
+        box.include(faces.position(other_party_, i));
+    }
+    if (facets.empty())
+      finest_ = 0;
+    // In one dimension a facet has no edge: the body's length serves. One end
+    // alone (the other tied or on a symmetry plane) has nothing behind it.
+    if (dim == 1)
+      facet_size_ =
+        facets.size() > 1 ? .25 * (box.upper - box.lower)[0] : std::numeric_limits<double>::infinity();
+  }
+  own_finest_ = 0;
+  if (point_party_ == mesh_party)
+    for (const auto &facet : true_facets(faces[point_party_], point_body_, symmetry_axes))
+    {
+      const double edge = facet_size(faces[point_party_], facet);
+      own_finest_       = own_finest_ > 0 ? std::min(own_finest_, edge) : edge;
+    }
+  size_up(faces);
+}
+
+template <int dim>
+void ContactPair<dim>::size_up(const Faces<dim> &faces)
+{
+  const auto size_of = [&](Party party, int body) {
+    const double coming = body == spec_.first ? spec_.first_radius : spec_.second_radius;
+    return 2 * std::max(largest_radius(faces, party, body_points(faces[party], body)), coming);
   };
-  const double point_size = size_of(point_party_, point_body_);
+  const double point_size = point_party_ == particle_party ? size_of(point_party_, point_body_) : 0;
   if (other_party_ == particle_party)
   {
     size_ = size_of(other_party_, other_body_);
@@ -57,27 +95,14 @@ void ContactPair<dim>::measure(const Faces<dim> &faces, const std::vector<int> &
       field_ = ParticleField<dim>(.5 * (point_size + size_), size_);
   }
   else
-  {
-    const auto &surface = faces[other_party_];
-    const auto  facets  = true_facets(surface, other_body_, symmetry_axes);
-    Box<dim>    box;
-    double      finest = std::numeric_limits<double>::infinity();
-    for (const auto &facet : facets)
-    {
-      const double edge = facet_size(surface, facet);
-      finest            = std::min(finest, edge);
-      size_ += edge / static_cast<double>(facets.size());
-      for (const std::uint32_t i : facet.node)
-        box.include(faces.position(other_party_, i));
-    }
-    rim_ = dim > 1 && point_party_ == mesh_party && !facets.empty() ? rim_share * finest : 0;
-    // In one dimension a facet has no edge: the body's length serves. One end
-    // alone (the other tied or on a symmetry plane) has nothing behind it.
-    if (dim == 1)
-      size_ = facets.size() > 1 ? .25 * (box.upper - box.lower)[0] : std::numeric_limits<double>::infinity();
-  }
+    size_ = facet_size_;
+  rim_ = dim > 1 && point_party_ == mesh_party && other_party_ == mesh_party && !spec_.meets_itself() ?
+           rim_share * finest_ :
+           0;
   if (dim > 1 || other_party_ == particle_party)
     size_ = std::max(size_, point_size);
+  const double apart = point_party_ == particle_party ? point_size : own_finest_;
+  crowd_ = apart > 0 && std::isfinite(size_) ? std::max(1., std::pow(size_ / apart, dim - 1)) : 1;
   max_depth_    = deepest * size_;
   half_spacing_ = .5 * (point_size > 0 ? std::min(point_size, size_) : size_);
   // Nothing to measure by: a lone end point, met by nodes. It has one side.
@@ -98,47 +123,83 @@ std::vector<Point<dim>> ContactPair<dim>::all_positions(const Faces<dim> &faces)
 }
 
 template <int dim>
-void ContactPair<dim>::update(const Faces<dim> &faces, const std::vector<int> &symmetry_axes)
+void ContactPair<dim>::update(const Faces<dim> &faces, const std::vector<int> &symmetry_axes,
+                              const Fragments<dim> *pieces)
 {
   symmetry_axes_.clear();
   std::copy_if(symmetry_axes.begin(), symmetry_axes.end(), std::back_inserter(symmetry_axes_),
                [](int axis) { return axis < dim; });
-  const bool moved_house = !built_ || topology_[0] != faces[0].topology || topology_[1] != faces[1].topology;
-  if (moved_house)
+  const std::int64_t version = pieces ? pieces->version() : -1;
+  bool stale = !built_ || topology_[0] != faces[0].topology || topology_[1] != faces[1].topology;
+  if (stale)
+    renew(faces, symmetry_axes);
+  stale |= std::exchange(pieces_, version) != version;
+  if (points_.empty() || others_.empty())
   {
-    points_ = contact_points(faces[point_party_], point_body_);
-    if (other_party_ == particle_party)
-      others_ = body_points(faces[other_party_], other_body_);
-    else
-    {
-      facets_ = true_facets(faces[other_party_], other_body_, symmetry_axes);
-      // Seams close the surface, so that a point beside one is not behind the
-      // face next to it; nothing touches them (nearest()).
-      const auto seams = true_facets(faces[other_party_], other_body_, symmetry_axes, true);
-      facets_.insert(facets_.end(), seams.begin(), seams.end());
-      others_.clear();
-      for (const auto &facet : facets_)
-        others_.insert(others_.end(), facet.node.begin(), facet.node.end());
-      std::sort(others_.begin(), others_.end());
-      others_.erase(std::unique(others_.begin(), others_.end()), others_.end());
-    }
-    list_own_facets(faces, symmetry_axes);
-    topology_[0] = faces[0].topology;
-    topology_[1] = faces[1].topology;
-    built_       = true;
-  }
-  auto         positions = all_positions(faces);
-  const double skin      = skin_share * size_;
-  if (!moved_house && !watch_.exceeded(positions, skin))
-  {
-    travel_ += motion(positions);
-    last_positions_ = std::move(positions);
+    list_.build(std::vector<Box<dim>>(points_.size()), {});
+    safe_.assign(points_.size(), 0);
+    listed_.clear();
     return;
   }
+  auto positions = all_positions(faces);
+  // A closer approach than twice the skin leaves no pair out.
+  if (!stale && watch_.approach(positions) <= 2 * skin_share * size_)
+  {
+    travel_ += last_step_.approach(positions);
+    last_step_.set(std::move(positions), points_.size());
+  }
+  else
+    search(faces, std::move(positions), pieces);
+  refit(faces);
+}
+
+template <int dim>
+void ContactPair<dim>::renew(const Faces<dim> &faces, const std::vector<int> &symmetry_axes)
+{
+  const std::size_t knew[2] = {points_.size(), others_.size()};
+  points_ = contact_points(faces[point_party_], point_body_);
+  if (other_party_ == particle_party)
+    others_ = body_points(faces[other_party_], other_body_);
+  else
+  {
+    facets_ = true_facets(faces[other_party_], other_body_, symmetry_axes);
+    // Seams close the surface, so that a point beside one is not behind the
+    // face next to it; nothing touches them (nearest()).
+    const auto seams = true_facets(faces[other_party_], other_body_, symmetry_axes, true);
+    facets_.insert(facets_.end(), seams.begin(), seams.end());
+    others_.clear();
+    for (const auto &facet : facets_)
+      others_.insert(others_.end(), facet.node.begin(), facet.node.end());
+    std::sort(others_.begin(), others_.end());
+    others_.erase(std::unique(others_.begin(), others_.end()), others_.end());
+  }
+  // A body that turns into particles has its first ones now.
+  if ((knew[0] == 0 && !points_.empty()) || (knew[1] == 0 && !others_.empty()))
+    size_up(faces);
+  list_own_facets(faces, symmetry_axes);
+  facets_at_.clear();
+  facets_of_.clear();
+  for (std::uint32_t f = 0; spec_.meets_itself() && f < facets_.size(); ++f)
+  {
+    facets_of_.emplace_back(facets_[f].element, f);
+    for (const std::uint32_t i : facets_[f].node)
+      facets_at_.emplace_back(i, f);
+  }
+  std::sort(facets_at_.begin(), facets_at_.end());
+  std::sort(facets_of_.begin(), facets_of_.end());
+  topology_[0] = faces[0].topology;
+  topology_[1] = faces[1].topology;
+  built_       = true;
+}
+
+template <int dim>
+void ContactPair<dim>::search(const Faces<dim> &faces, std::vector<Point<dim>> positions, const Fragments<dim> *pieces)
+{
   travel_ = 0;
   safe_.assign(points_.size(), 0);
 
   // Both sides may have moved by the skin before the next search.
+  const double          skin = skin_share * size_;
   std::vector<Box<dim>> queries(points_.size()), targets;
   for (std::size_t q = 0; q < points_.size(); ++q)
   {
@@ -159,8 +220,72 @@ void ContactPair<dim>::update(const Faces<dim> &faces, const std::vector<int> &s
         targets.back().include(faces.position(other_party_, i));
     }
   list_.build(queries, targets);
-  last_positions_ = positions;
-  watch_.set(std::move(positions));
+  if (spec_.meets_itself())
+    drop_joined(faces, pieces);
+  listed_.clear();
+  if (other_party_ == mesh_party)
+  {
+    std::vector<bool> seen(facets_.size(), false);
+    for (std::size_t q = 0; q < points_.size(); ++q)
+      for (const std::uint32_t f : list_.of(q))
+        if (!seen[f])
+        {
+          seen[f] = true;
+          listed_.push_back(f);
+        }
+  }
+  balls_.resize(facets_.size());
+  last_step_.set(positions, points_.size());
+  watch_.set(std::move(positions), points_.size());
+}
+
+template <int dim>
+void ContactPair<dim>::drop_joined(const Faces<dim> &faces, const Fragments<dim> *pieces)
+{
+  if (other_party_ == particle_party)
+  {
+    const auto &id = faces[other_party_].id;
+    list_.remove_if([&](std::size_t q, std::uint32_t t) {
+      const std::int64_t i = id[points_[q]], j = id[others_[t]];
+      // Two balls meet once.
+      return i == j || (meeting_ == Meeting::balls && j < i) || !pieces || pieces->joined(i, j);
+    });
+    return;
+  }
+  std::vector<std::uint32_t> near;
+  std::size_t                of = points_.size();
+  list_.remove_if([&](std::size_t q, std::uint32_t f) {
+    if (std::exchange(of, q) != q)
+      near = own_neighbours(q);
+    return std::binary_search(near.begin(), near.end(), f);
+  });
+}
+
+template <int dim>
+std::vector<std::uint32_t> ContactPair<dim>::own_neighbours(std::size_t query) const
+{
+  const auto unique = [](std::vector<std::uint32_t> &all) {
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+  };
+  const auto for_each_at = [](const Meetings &meetings, std::uint32_t where, const auto &f) {
+    for (auto m = std::lower_bound(meetings.begin(), meetings.end(), std::pair(where, 0u));
+         m != meetings.end() && m->first == where; ++m)
+      f(m->second);
+  };
+  // Corners of the sides of its own elements, and every facet that has one.
+  std::vector<std::uint32_t> corners, facets;
+  for_each_at(facets_at_, points_[query], [&](std::uint32_t own) {
+    for_each_at(facets_of_, facets_[own].element, [&](std::uint32_t side) {
+      corners.insert(corners.end(), facets_[side].node.begin(), facets_[side].node.end());
+    });
+  });
+  corners.push_back(points_[query]);
+  unique(corners);
+  for (const std::uint32_t i : corners)
+    for_each_at(facets_at_, i, [&](std::uint32_t f) { facets.push_back(f); });
+  unique(facets);
+  return facets;
 }
 
 template <int dim>
@@ -183,18 +308,6 @@ void ContactPair<dim>::list_own_facets(const Faces<dim> &faces, const std::vecto
       own_.push_back(meeting->second);
     own_first_.push_back(own_.size());
   }
-}
-
-template <int dim>
-double ContactPair<dim>::motion(std::span<const Point<dim>> positions) const
-{
-  double farthest[2] = {0, 0};
-  for (std::size_t i = 0; i < positions.size(); ++i)
-  {
-    double &side = farthest[i >= points_.size()];
-    side         = std::max(side, (positions[i] - last_positions_[i]).squaredNorm());
-  }
-  return std::sqrt(farthest[0]) + std::sqrt(farthest[1]);
 }
 
 template <int dim>
@@ -320,6 +433,24 @@ double ContactPair<dim>::inverse_mass(const Faces<dim> &faces, const List &list,
 }
 
 template <int dim>
+double ContactPair<dim>::crowded_inverse_mass(const Faces<dim> &faces, const List &list, const Record &record) const
+{
+  const auto &masses  = faces[other_party_].mass;
+  const auto  carried = list.of(record);
+  if (meeting_ == Meeting::balls)
+    return 0;
+  if (other_party_ == particle_party)
+  {
+    const double sum = field_.sum_of_slopes();
+    return .5 * (1 + sum) * sum * crowd_ / masses[carried.front().index];
+  }
+  double sum = 0;
+  for (const auto &carrier : carried)
+    sum += std::abs(carrier.weight) / masses[carrier.index];
+  return crowd_ * sum;
+}
+
+template <int dim>
 void ContactPair<dim>::detect(const Faces<dim> &faces, std::span<const Record> old, double last_drift,
                               List &found, std::int64_t &lost) const
 {
@@ -340,9 +471,24 @@ void ContactPair<dim>::detect(const Faces<dim> &faces, std::span<const Record> o
     if (!lasts && travel_ < safe_[q])
       continue;
     const double     r     = faces.radius(point_party_, points_[q]);
-    const Stand<dim> stand = lasts ? lasting(faces, q, old[o].normal) : entering(faces, q, last_drift);
-    if (!stand.found || stand.distance >= r)
+    if (!lasts && spec_.meets_itself())
     {
+      if (const Stand<dim> stand = entering_itself(faces, q, last_drift); stand.found)
+        add_facet(faces, q, stand, found);
+      continue;
+    }
+    const Stand<dim> stand = lasts ? lasting(faces, q, old[o].normal) : entering(faces, q, last_drift);
+    // What a node of the same body had come through may have died: what is behind
+    // that is the far side.
+    const bool far_side = spec_.meets_itself() &&
+                          -stand.distance > old[o].depth + old[o].offset + far_side_share * size_;
+    if (!stand.found || stand.distance >= r || far_side)
+    {
+      if (spec_.meets_itself())
+      {
+        safe_[q] = 0;
+        continue;
+      }
       safe_[q] = stand.found ? travel_ + stand.distance - std::max({r, rim_, 2 * flush_share * half_spacing_}) : 0;
       continue;
     }
@@ -356,6 +502,9 @@ void ContactPair<dim>::detect(const Faces<dim> &faces, std::span<const Record> o
 template <int dim>
 void ContactPair<dim>::detect_overlaps(const Faces<dim> &faces, List &found) const
 {
+  // Every node is behind facets of its own body, and nothing tells a fold.
+  if (spec_.meets_itself() && other_party_ == mesh_party)
+    return;
   for (std::size_t q = 0; q < points_.size(); ++q)
     if (other_party_ == particle_party)
       meeting_ == Meeting::balls ? detect_balls(faces, q, found) : detect_particles(faces, q, found);

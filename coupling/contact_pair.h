@@ -3,16 +3,19 @@
 
 #include "coupling/contact_geometry.h"
 #include "coupling/particle_field.h"
+#include "coupling/fragments.h"
 #include "coupling/search.h"
 #include "coupling/surfaces.h"
 
 #include <compare>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ogive::coupling
 {
-/// Two bodies that may touch, of either kind.
+/// Two bodies that may touch, of either kind; the same body twice: its pieces,
+/// and folds of it, touch each other.
 struct ContactSpec
 {
   std::string name;
@@ -22,6 +25,13 @@ struct ContactSpec
   double      first_radius = 0, second_radius = 0; ///< of particles that may come later, m
   double      friction  = 0;  ///< Coulomb coefficient
   double      stiffness = .1; ///< share of m_eff/dt^2, <= .1
+  std::string overlap   = "rest"; ///< at the start, as in a scene: rest, heal or refuse
+  /// Of a body of particles that meets itself: below this distance the particle
+  /// solver joins them, m, by their places of t = 0 or of now.
+  double      joined_within   = 0;
+  bool        joined_at_start = false;
+
+  bool meets_itself() const { return first == second && first_party == second_party; }
 };
 
 /// Stable name of a contact: survives reordering of particles and sliding from
@@ -130,8 +140,9 @@ public:
   /// Lengths of the search, from the undeformed bodies.
   void measure(const Faces<dim> &, const std::vector<int> &symmetry_axes);
 
-  /// Brings the candidates up to date; cheap while nothing moved far.
-  void update(const Faces<dim> &, const std::vector<int> &symmetry_axes);
+  /// Brings the candidates up to date; cheap while nothing moved far. `pieces`:
+  /// of a body of particles that meets itself.
+  void update(const Faces<dim> &, const std::vector<int> &symmetry_axes, const Fragments<dim> *pieces = nullptr);
 
   /// Drops the candidates: after a solver went back or was loaded, its numbers
   /// of topology may name another order.
@@ -146,6 +157,10 @@ public:
   void detect_overlaps(const Faces<dim> &, List &found) const;
   /// 1/m_eff of a contact found now, 1/kg.
   double inverse_mass(const Faces<dim> &, const List &, const Record &) const;
+
+  /// The same by the crowd: with every point of a closed layer in contact, the row
+  /// of a carrier in M^-1 K is at most 2 k times this, 1/kg.
+  double crowded_inverse_mass(const Faces<dim> &, const List &, const Record &) const;
 
 private:
   /// The nearest of the candidate facets whose feet `accept` lets pass.
@@ -170,18 +185,32 @@ private:
   /// Outward unit normal of the points' own surface at a node; zero for particles
   /// and for nodes without facets.
   Point<dim> own_normal(const Faces<dim> &, std::size_t query) const;
+  /// The body's own facets that a node cannot meet: those of its own elements and
+  /// of their neighbours, as far as the surface tells.
+  std::vector<std::uint32_t> own_neighbours(std::size_t query) const;
+  void drop_joined(const Faces<dim> &, const Fragments<dim> *);
+  Stand<dim> entering_itself(const Faces<dim> &, std::size_t query, double last_drift) const;
+  /// The facets that a lone point can have come through in the last step.
+  template <class Accept>
+  Stand<dim> crossed(const Faces<dim> &, std::size_t query, double last_drift, const Accept &) const;
+  /// What depends on the radii, which come with the first particles of a body.
+  void size_up(const Faces<dim> &);
+  /// The balls about the candidate facets as they are now.
+  void refit(const Faces<dim> &);
+  void renew(const Faces<dim> &, const std::vector<int> &symmetry_axes);
+  void search(const Faces<dim> &, std::vector<Point<dim>> positions, const Fragments<dim> *);
   void list_own_facets(const Faces<dim> &, const std::vector<int> &symmetry_axes);
   std::vector<Point<dim>> all_positions(const Faces<dim> &) const;
-  /// Farthest that a point and a place of the other side came together since
-  /// `last_positions_`, m.
-  double motion(std::span<const Point<dim>> positions) const;
-
   ContactSpec   spec_;
   Meeting       meeting_;
   std::int64_t  index_;
   int           point_body_, other_body_;
   Party         point_party_, other_party_;
   double        share_;
+  double        facet_size_   = 0; ///< mean edge of the other side's facets, m
+  double        finest_       = 0; ///< least of them, m
+  double        own_finest_   = 0; ///< of the points' side where they are nodes, m
+  double        crowd_        = 1; ///< points that a place of the other side carries in a closed layer
   double        size_         = 0; ///< typical facet edge or particle spacing of the other side, m
   double        max_depth_    = 0;
   double        half_spacing_ = 0;
@@ -194,14 +223,25 @@ private:
   std::vector<Facet>         own_facets_; ///< of the points' side, where they are nodes
   std::vector<std::size_t>   own_first_;  ///< point q: own_[own_first_[q] .. own_first_[q + 1])
   std::vector<std::uint32_t> own_;        ///< into own_facets_
+  /// Of a body that meets itself: node and facet, element and facet, ascending.
+  using Meetings = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+  Meetings                   facets_at_, facets_of_;
+  struct Ball
+  {
+    Point<dim> middle = Point<dim>::Zero();
+    double     reach  = 0;
+  };
   NeighbourList<dim>         list_;
+  std::vector<std::uint32_t> listed_; ///< facets in it
+  std::vector<Ball>          balls_;  ///< about the listed facets
   DisplacementWatch<dim>     watch_;
   // A point farther than it and the other side can have moved since needs no
   // look: safe_ is the travel at which it does.
-  std::vector<Point<dim>>    last_positions_;
+  DisplacementWatch<dim>     last_step_;
   mutable std::vector<double> safe_;
   double                     travel_      = 0;
   std::uint64_t              topology_[2] = {0, 0};
+  std::int64_t               pieces_      = -1; ///< their version
   bool                       built_       = false;
 };
 } // namespace ogive::coupling

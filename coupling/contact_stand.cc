@@ -35,30 +35,32 @@ template <int dim>
 template <class Accept>
 Stand<dim> ContactPair<dim>::nearest(const Faces<dim> &faces, std::size_t query, const Accept &accept) const
 {
-  const Point<dim> p = faces.position(point_party_, points_[query]);
+  const Point<dim> p   = faces.position(point_party_, points_[query]);
+  const auto       row = list_.of(query);
   Stand<dim>       stand;
-  for (const std::uint32_t f : list_.of(query))
-  {
-    const auto corner = corners(faces, f);
-    Point<dim> middle = Point<dim>::Zero();
-    for (const auto &c : corner)
-      middle += c / Facet::n_nodes;
-    // A facet that lies wholly farther than the best one needs no closer look.
-    if (stand.found)
+  // The likeliest one first: the others are then mostly too far for a closer look.
+  std::size_t first = 0;
+  double      least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < row.size(); ++k)
+    if (const double square = (p - balls_[row[k]].middle).squaredNorm(); square < least)
     {
-      double reach = 0;
-      for (const auto &c : corner)
-        reach = std::max(reach, (c - middle).squaredNorm());
-      const double least = (p - middle).norm() - std::sqrt(reach);
-      if (least > 0 && least * least > 1.0001 * stand.foot.distance2)
-        continue;
+      least = square;
+      first = k;
     }
-    const Foot<dim> foot = foot_on_facet<dim>(p, corner, facets_[f].outward);
+  double reach = std::numeric_limits<double>::infinity(); // of the best, with room for equally near ones
+  for (std::size_t n = 0; n < row.size(); ++n)
+  {
+    const std::uint32_t f    = row[n == 0 ? first : n <= first ? n - 1 : n];
+    const double        most = reach + balls_[f].reach;
+    if ((p - balls_[f].middle).squaredNorm() > most * most)
+      continue;
+    const Foot<dim> foot = foot_on_facet<dim>(p, corners(faces, f), facets_[f].outward);
     if (accept(foot, facets_[f]) && (!stand.found || better_foot<dim>(p, foot, stand.foot)))
     {
       stand.found = true;
       stand.facet = f;
       stand.foot  = foot;
+      reach       = 1.0001 * std::sqrt(foot.distance2);
     }
   }
   if (stand.found && facets_[stand.facet].bared)
@@ -66,6 +68,24 @@ Stand<dim> ContactPair<dim>::nearest(const Faces<dim> &faces, std::size_t query,
   if (stand.found)
     finish_stand(p, half_spacing_, stand);
   return stand;
+}
+
+// The tree of boxes stands until points may have left its margins. Its leaves
+// follow them: a ball about each facet that is anyone's candidate.
+template <int dim>
+void ContactPair<dim>::refit(const Faces<dim> &faces)
+{
+  for (const std::uint32_t f : listed_)
+  {
+    const auto corner = corners(faces, f);
+    Ball       ball;
+    for (const auto &c : corner)
+      ball.middle += c / Facet::n_nodes;
+    for (const auto &c : corner)
+      ball.reach = std::max(ball.reach, (c - ball.middle).squaredNorm());
+    ball.reach = std::sqrt(ball.reach);
+    balls_[f]  = ball;
+  }
 }
 
 template <int dim>
@@ -141,7 +161,7 @@ Stand<dim> ContactPair<dim>::lasting(const Faces<dim> &faces, std::size_t query,
   if (!stand.found || stand.distance >= std::max(rim_, flush_share * half_spacing_))
     return stand;
   const Point<dim> own = own_normal(faces, query);
-  if (!own.isZero())
+  if (!own.isZero() && !spec_.meets_itself())
     return facing(faces, query, stand, own, &last_normal);
   if (stand.distance >= flush_share * half_spacing_)
     return stand;
@@ -171,17 +191,40 @@ Stand<dim> ContactPair<dim>::entering(const Faces<dim> &faces, std::size_t query
 
   // A lone point that is suddenly inside came through a facet during the last
   // step; near an edge, or in a thin body, that need not be the nearest one.
-  const Point<dim> p       = faces.position(point_party_, points_[query]);
-  const Stand<dim> crossed = nearest(faces, query, [&](const Foot<dim> &foot, const Facet &facet) {
-    const double depth = (foot.where - p).dot(foot.normal);
-    return depth > 0 && depth >= straight * std::sqrt(foot.distance2) &&
-           depth <= 1.001 * last_drift * approach(faces, query, foot, facet) + tolerance;
-  });
-  if (crossed.found || stand.distance >= 0)
-    return crossed;
+  const Stand<dim> through = crossed(faces, query, last_drift, [](const Foot<dim> &) { return true; });
+  if (through.found || stand.distance >= 0)
+    return through;
   return nearest(faces, query, [&](const Foot<dim> &foot, const Facet &facet) {
     return approach(faces, query, foot, facet) > 0;
   });
+}
+
+template <int dim>
+template <class Accept>
+Stand<dim> ContactPair<dim>::crossed(const Faces<dim> &faces, std::size_t query, double last_drift,
+                                     const Accept &accept) const
+{
+  const double     tolerance = flush_share * half_spacing_;
+  const Point<dim> p         = faces.position(point_party_, points_[query]);
+  return nearest(faces, query, [&](const Foot<dim> &foot, const Facet &facet) {
+    const double depth = (foot.where - p).dot(foot.normal);
+    return depth > 0 && depth >= straight * std::sqrt(foot.distance2) && accept(foot) &&
+           depth <= 1.001 * last_drift * approach(faces, query, foot, facet) + tolerance;
+  });
+}
+
+// A node is behind facets of its own body all the time, those of the far side:
+// it touches only what it came through in the last step.
+template <int dim>
+Stand<dim> ContactPair<dim>::entering_itself(const Faces<dim> &faces, std::size_t query, double last_drift) const
+{
+  const double     tolerance = flush_share * half_spacing_;
+  const Stand<dim> stand     = nearest(faces, query, [](const Foot<dim> &, const Facet &) { return true; });
+  safe_[query] = stand.found ? travel_ + std::abs(stand.distance) - 2 * tolerance : 0;
+  if (!stand.found)
+    return stand;
+  const Point<dim> own = own_normal(faces, query);
+  return crossed(faces, query, last_drift, [&](const Foot<dim> &foot) { return foot.normal.dot(own) <= alike; });
 }
 
 template class ContactPair<1>;

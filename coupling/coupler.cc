@@ -22,11 +22,27 @@ Party party_of(const input::Scene &scene, int body)
   return scene.bodies[body].method == input::Method::sph ? particle_party : mesh_party;
 }
 
-/// Both for a body whose elements turn into particles.
+/// What a body is made of, or may be in time.
 std::vector<Party> parties_of(const input::Scene &scene, int body)
 {
-  return scene.bodies[body].method == input::Method::automatic ? std::vector<Party>{mesh_party, particle_party} :
-                                                                 std::vector<Party>{party_of(scene, body)};
+  if (scene.bodies[body].method == input::Method::automatic)
+    return {mesh_party, particle_party};
+  return {party_of(scene, body)};
+}
+
+/// Which pairs of a body of particles are the particle solver's: within its
+/// support, by places of now; or by those of t = 0, with room for what a contact
+/// sees of a lattice that is bent and squeezed.
+void set_joined(const input::Scene &scene, ContactSpec &spec)
+{
+  const input::SphOptions options = scene.sph.settled();
+  const input::Body      &body    = scene.bodies[spec.first];
+  const double            spacing =
+    body.method == input::Method::automatic ? body.spacing / body.conversion.per_edge : body.spacing;
+  spec.joined_at_start = options.configuration == "reference";
+  spec.joined_within   = (options.kernel == "quintic" ? 3 : 2) * options.h_over_dx * spacing;
+  if (spec.joined_at_start)
+    spec.joined_within = std::max(spec.joined_within, 3.5 * spacing);
 }
 
 /// Of the particles that a body's elements may turn into, m; 0 for other bodies.
@@ -125,14 +141,12 @@ void Coupler<dim>::build_contacts(const input::Scene &scene)
   for (const auto &entry : scene.contacts)
   {
     ContactSpec spec;
-    spec.name         = entry.name;
-    spec.first        = body_named(scene, entry.first, entry.name);
-    spec.second       = body_named(scene, entry.second, entry.name);
-    spec.friction     = entry.friction;
-    spec.stiffness    = entry.stiffness;
-    if (spec.first == spec.second)
-      throw InputError({scene.file, 0, entry.name}, "body \"" + entry.first + "\" cannot touch itself",
-                       "two different bodies");
+    spec.name      = entry.name;
+    spec.first     = body_named(scene, entry.first, entry.name);
+    spec.second    = body_named(scene, entry.second, entry.name);
+    spec.friction  = entry.friction;
+    spec.stiffness = entry.stiffness;
+    spec.overlap   = entry.overlap;
     if (!(entry.stiffness > 0 && entry.stiffness <= .1))
       throw InputError({scene.file, 0, entry.name},
                        "contact stiffness " + std::to_string(entry.stiffness) + " is out of range",
@@ -144,8 +158,13 @@ void Coupler<dim>::build_contacts(const input::Scene &scene)
     for (const Party first : parties_of(scene, spec.first))
       for (const Party second : parties_of(scene, spec.second))
       {
+        // Within a body of both kinds the seam joins them.
+        if (spec.first == spec.second && first != second)
+          continue;
         spec.first_party  = first;
         spec.second_party = second;
+        if (spec.meets_itself() && first == particle_party)
+          set_joined(scene, spec);
         specs.push_back(spec);
       }
   }
@@ -164,7 +183,9 @@ void Coupler<dim>::build_contacts(const input::Scene &scene)
   }
   contacts_ = std::make_unique<ContactSet<dim>>(std::move(specs), cut_axes(scene), limit.dt,
                                                 std::min(share, .95));
-  contacts_->start(Faces<dim>::look(mesh_.get(), particles_.get()));
+  const auto faces = Faces<dim>::look(mesh_.get(), particles_.get());
+  moves_           = contacts_->healing(faces, healed_);
+  contacts_->start(faces);
 }
 
 template <int dim>
@@ -175,19 +196,40 @@ void Coupler<dim>::renew()
 }
 
 template <int dim>
-void Coupler<dim>::gather()
+void Coupler<dim>::gather(double own_share)
 {
   auto faces = Faces<dim>::look(mesh_.get(), particles_.get());
+  faces.particle_share = own_share;
   faces.clear_forces();
   contacts_->gather(faces);
+  if (const auto pieces = contacts_->new_pieces(); !pieces.empty())
+    particles_->set_pieces(pieces);
   if (interfaces_.empty())
     return;
   std::array<std::span<double>, dim> force;
   for (int a = 0; a < dim; ++a)
     force[a] = slaves_.force[a];
   particles_->slave_forces(force);
+  if (own_share != 1)
+    share_slave_forces(faces, own_share);
   for (auto &interface : interfaces_)
     interface->gather(faces, slaves_);
+}
+
+/// Contact acts in every part of a step, the particles' own forces once.
+template <int dim>
+void Coupler<dim>::share_slave_forces(const Faces<dim> &faces, double own_share)
+{
+  const auto &particles = faces[particle_party];
+  for (std::size_t s = 0; s < slaves_.id.size(); ++s)
+  {
+    const std::uint32_t i = faces.particle_index[slaves_.id[s]];
+    for (int a = 0; a < dim; ++a)
+    {
+      const double contact  = particles.force[a][i];
+      slaves_.force[a][s] = contact + own_share * (slaves_.force[a][s] - contact);
+    }
+  }
 }
 
 template <int dim>

@@ -58,8 +58,9 @@ public:
   /// Between two steps, after elements have turned into particles.
   void renew();
   /// Contact and interface forces at t_n into Surface::force of both parties
-  /// (what stands there is cleared first).
-  void gather();
+  /// (what stands there is cleared first). In a part of a step `own_share` of
+  /// what particles do to their slaves acts.
+  void gather(double own_share = 1);
   /// Velocities of the tied particles, from the nodes just kicked.
   void drive();
   /// Books the energy of the step. Call once both parties have stepped.
@@ -77,9 +78,15 @@ public:
   std::size_t active_contacts() const { return contacts_->active(); }
   std::int64_t lost_contacts() const { return contacts_->lost(); }
   const std::vector<InitialOverlap> &initial_overlaps() const { return contacts_->initial_overlaps(); }
+  /// What must be moved before the run, where overlaps are to be healed. Whoever
+  /// has moved it makes another Coupler and tells it what this one had found.
+  const std::vector<Move>           &moves() const { return moves_; }
+  const std::vector<InitialOverlap> &healed() const { return healed_; }
+  void report_healed(std::vector<InitialOverlap> healed) { contacts_->report_healed(std::move(healed)); }
   std::size_t tied_particles() const { return slaves_.id.size(); }
 
 private:
+  void share_slave_forces(const Faces<dim> &, double own_share);
   void build_interfaces(const input::Scene &);
   void build_contacts(const input::Scene &);
 
@@ -90,5 +97,7 @@ private:
   std::vector<std::unique_ptr<Interface<dim>>> interfaces_;
   Slaves<dim>                                  slaves_;
   std::unique_ptr<ContactSet<dim>>             contacts_;
+  std::vector<Move>                            moves_;
+  std::vector<InitialOverlap>                  healed_;
 };
 } // namespace ogive::coupling

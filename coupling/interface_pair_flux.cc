@@ -381,7 +381,7 @@ void PairFluxInterface<dim>::gather(Faces<dim> &faces, const Slaves<dim> &)
     const std::uint32_t i = faces.particle_index[feet_[s].id];
     for (int a = 0; a < dim; ++a)
     {
-      force_[s][a] = sums[a][i];
+      force_[s][a] = faces.particle_share * sums[a][i];
       sums[a][i]   = 0;
     }
     velocity_before_[s] = velocity_at(faces, feet_[s]);

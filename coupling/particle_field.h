@@ -31,13 +31,18 @@ public:
     const double step = 1e-4 * touch;
     level_ = lattice_level(touch, spacing);
     slope_ = (lattice_level(touch - step, spacing) - lattice_level(touch + step, spacing)) / (2 * step);
-    over_lattice(touch, spacing, Point<dim>::Zero(), [&](double r) { squares_ += slope(r) * slope(r); });
+    over_lattice(touch, spacing, Point<dim>::Zero(), [&](double r) {
+      squares_ += slope(r) * slope(r);
+      slopes_ += slope(r);
+    });
   }
 
   double reach() const { return 2 * h_; }
   double depth(double psi) const { return (psi - level_) / slope_; }
   /// Sum over the carriers of their squared share of d, at touch.
   double sum_of_squares() const { return squares_; }
+  /// Sum of their shares in magnitude, at touch.
+  double sum_of_slopes() const { return slopes_; }
 
   static double value(double q)
   {
@@ -91,6 +96,6 @@ private:
     return sum / count;
   }
 
-  double h_ = 0, level_ = 0, slope_ = 0, squares_ = 0;
+  double h_ = 0, level_ = 0, slope_ = 0, squares_ = 0, slopes_ = 0;
 };
 } // namespace ogive::coupling

@@ -6,6 +6,7 @@
 #include "core/io/hdf5_archive.h"
 #include "core/io/run_directory.h"
 #include "core/io/summary.h"
+#include "coupling/contact.h"
 #include "fem/mesh_quality.h"
 #include "fem/solver.h"
 
@@ -46,6 +47,7 @@ struct Plan
   double      memory_bytes     = 0; ///< of the process, with the model built
   double      mass             = 0; ///< kg, of the modelled part
   std::vector<fem::TieReport> ties;  ///< of bodies of elements
+  std::vector<InitialOverlap> overlaps; ///< of bodies in contact, as the run begins
   std::map<std::string, double> added_mass_fraction; ///< by mass scaling, of bodies that got any
 
   std::vector<fem::MeshQuality> meshes;   ///< one a body of elements

@@ -7,6 +7,8 @@
 #include <boost/geometry/index/rtree.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace ogive::coupling
@@ -84,15 +86,26 @@ void NeighbourList<dim>::build(std::span<const Box<dim>> queries, std::span<cons
 }
 
 template <int dim>
-bool DisplacementWatch<dim>::exceeded(std::span<const Point<dim>> points, double margin) const
+double DisplacementWatch<dim>::approach(std::span<const Point<dim>> points) const
 {
-  if (points.size() != reference_.size())
-    return true;
-  const double square = margin * margin;
+  constexpr double never = std::numeric_limits<double>::infinity();
+  if (points.size() != reference_.size() || points.empty())
+    return never;
+  Box<dim> moved;
   for (std::size_t i = 0; i < points.size(); ++i)
-    if (!((points[i] - reference_[i]).squaredNorm() <= square))
-      return true;
-  return false;
+    moved.include(points[i] - reference_[i]);
+  const Point<dim> common = .5 * (moved.lower + moved.upper);
+  double           farthest[2] = {0, 0};
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const double square = (points[i] - reference_[i] - common).squaredNorm();
+    double      &side   = farthest[i >= first_];
+    if (!(square <= side))
+      side = square; // a NaN too, and no number takes its place
+    if (!(side < never))
+      return never;
+  }
+  return std::sqrt(farthest[0]) + std::sqrt(farthest[1]);
 }
 
 #define OGIVE_INSTANTIATE(dim)                                                                               \

@@ -45,6 +45,21 @@ public:
   {
     return {target_.data() + first_[query], first_[query + 1] - first_[query]};
   }
+  /// Drops the pairs of which `drop(query, target)` is true.
+  template <class Drop>
+  void remove_if(const Drop &drop)
+  {
+    std::size_t to = 0, from = 0;
+    for (std::size_t q = 0; q + 1 < first_.size(); ++q)
+    {
+      for (; from < first_[q + 1]; ++from)
+        if (!drop(q, target_[from]))
+          target_[to++] = target_[from];
+      first_[q + 1] = to;
+    }
+    target_.resize(to);
+  }
+
   std::size_t n_queries() const { return first_.size() - 1; }
   std::size_t n_pairs() const { return target_.size(); }
 
@@ -53,16 +68,24 @@ private:
   std::vector<std::uint32_t> target_;
 };
 
-/// Says whether any of a set of points has gone farther than a margin from
-/// where it was when the watch was set.
+/// Bounds how far the members of two groups of points can have come together
+/// since the watch was set. What moves all of them alike brings none together.
 template <int dim>
 class DisplacementWatch
 {
 public:
-  void set(std::vector<Point<dim>> points) { reference_ = std::move(points); }
-  bool exceeded(std::span<const Point<dim>> points, double margin) const;
+  /// `first`: how many of the points are the first group.
+  void set(std::vector<Point<dim>> points, std::size_t first)
+  {
+    reference_ = std::move(points);
+    first_     = first;
+  }
+  /// m; infinite if it was never set, for another number of points, and where a
+  /// point has no place.
+  double approach(std::span<const Point<dim>> points) const;
 
 private:
   std::vector<Point<dim>> reference_;
+  std::size_t             first_ = 0;
 };
 } // namespace ogive::coupling

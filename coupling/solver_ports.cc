@@ -38,6 +38,10 @@ public:
   {
     solver_.copy_state(element, to, k);
   }
+  void weigh(int body, std::span<const std::uint32_t> elements, std::span<const double> shares) override
+  {
+    solver_.weigh(body, elements, shares);
+  }
   void damp(int body, std::span<const std::uint32_t> elements, double share) override
   {
     solver_.damp(body, elements, share);
@@ -59,6 +63,8 @@ public:
   void drive_slaves(const std::array<std::span<const double>, dim> &v) override { solver_.drive_slaves(v); }
   void slave_forces(const std::array<std::span<double>, dim> &f) const override { solver_.slave_forces(f); }
   std::span<const std::uint32_t> index_of_id() const override { return solver_.index_of_id(); }
+  std::span<const double>        damage() const override { return solver_.damage(); }
+  void set_pieces(std::span<const std::int64_t> pieces) override { solver_.set_pieces(pieces); }
 
   void set_riders(const sph::Newcomers<dim> &riders) override { solver_.set_riders(riders); }
   typename ParticlePort<dim>::Riders riders(int body) override
@@ -75,6 +81,7 @@ public:
   {
     solver_.seam_normals(body, area);
   }
+  void weigh(std::span<const std::int64_t> ids, std::span<const double> shares) override { solver_.weigh(ids, shares); }
   double                              seam_work() const override { return solver_.seam_work(); }
   typename ParticlePort<dim>::Lattice lattice(int body) const override
   {

@@ -16,6 +16,7 @@ Faces<dim> Faces<dim>::look(MeshPort<dim> *mesh, ParticlePort<dim> *particles)
   {
     faces.of[particle_party] = particles->surface();
     faces.particle_index     = particles->index_of_id();
+    faces.damage             = particles->damage();
   }
   return faces;
 }

@@ -27,6 +27,8 @@ struct Works
   /// friction waits for it, so that in the sum it is mu times the net impulse.
   std::vector<double> pull{};
   double              seam = 0; ///< see Solver::seam_work
+  /// Energy that steps in parts gave the particles and took from no pair, J.
+  double parts_error = 0;
 };
 
 /// What the reference configuration keeps; empty in the current one. But for
@@ -47,7 +49,7 @@ struct ReferenceState
 /// step; viscous.cc, correct.cc, support.cc: forces, the correction and its
 /// support; motion.cc: kick, boundaries, drift; lists.cc: rebuild and records;
 /// images.cc: images behind rigid walls; surface.cc: what contact sees;
-/// reference/reference.cc: the reference configuration; axis.cc: axial symmetry;
+/// substeps.cc: steps in parts; reference/reference.cc: the reference configuration; axis.cc: axial symmetry;
 /// state.cc: snapshots and checkpoints.
 template <int dim>
 struct Solver<dim>::Implementation
@@ -110,13 +112,18 @@ struct Solver<dim>::Implementation
   std::vector<std::uint32_t> index_of_id;
   std::vector<std::int64_t>  near_surface; ///< kept through a rebuild's first sweep: part of the state
   std::vector<std::uint32_t> contact_points;
+  std::vector<std::int64_t>  pieces; ///< by id, see set_pieces(): part of the state
+  bool                       pieces_stale = false; ///< the lists are of others
   AlignedVector<double>      radius;
   bool                       surface_stale = true;
   std::size_t                failed        = 0; ///< particles with damage >= 1
 
   std::vector<std::int64_t>           slave_ids;
   std::vector<char>                   is_slave; ///< by id
+  std::vector<double>                 energy_share; ///< by id, see Solver::weigh; empty: 1
   PerAxis<std::vector<double>>        slave_velocity; ///< by id
+
+  PerAxis<AlignedVector<double>>      part_first, part_path, part_shift; ///< within a step in parts (substeps.cc)
 
   double              time = 0, time_listed = 0; ///< of x and of x_listed, s
   Works               works;
@@ -169,6 +176,8 @@ struct Solver<dim>::Implementation
   void rebuild_lists(); ///< from store.x_listed
   void size_pairs(Pairs &) const;
   void list_images(const std::array<std::span<const double>, dim> &x);
+  /// Drops the pairs of two pieces.
+  void part_pieces(NeighbourRows &) const;
   void list_riders(const std::array<std::span<const double>, dim> &x, const std::vector<std::array<std::size_t, 2>> &images_of_riders);
   void pack_motion();
   void reflect_motion();
@@ -212,6 +221,9 @@ struct Solver<dim>::Implementation
   {
     return &records[(store.size() + g) * stride];
   }
+
+  // solver.cc
+  StepStatus arrive(const TimeStep &); ///< all that follows from new positions
 
   // phases.cc
   /// Gradients at x(t_n); with dt > 0 also the material's step.
@@ -304,6 +316,11 @@ struct Solver<dim>::Implementation
   }
   /// Mass per volume of the space of the sweeps: kg/m^dim.
   double plane_density(std::size_t i) const { return ring(i) * store.swept_density[i]; }
+  double shared(std::size_t i) const
+  {
+    const auto id = static_cast<std::size_t>(store.id[i]);
+    return id < energy_share.size() ? energy_share[id] : 1.;
+  }
   double weight(std::size_t i) const { return standard ? store.mass[i] : store.mass[i] / plane_density(i); }
 };
 } // namespace ogive::sph

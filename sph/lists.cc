@@ -10,6 +10,8 @@ bool Solver<dim>::Implementation::lists_are_stale() const
 {
   if (reference.on)
     return false;
+  if (pieces_stale)
+    return true;
   for (const auto &b : bodies)
   {
     // A body's translation parts no pair, except from its mirror image.
@@ -31,7 +33,9 @@ bool Solver<dim>::Implementation::lists_are_stale() const
         if (wall_axis[w] == a && is_near(b, w, store.x_listed, time_listed))
           return true;
       return std::any_of(parameters.symmetry.begin(), parameters.symmetry.end(),
-                         [a](const auto &p) { return p.axis == a; });
+                         [a](const auto &p) { return p.axis == a; }) ||
+             std::any_of(parameters.mirrors.begin(), parameters.mirrors.end(),
+                         [a](const auto &m) { return m.axis == a; });
     };
     for (int a = 0; a < dim; ++a)
       if (!mirrored(a))
@@ -106,7 +110,7 @@ void Solver<dim>::Implementation::rebuild_lists()
   for (int a = 0; a < dim; ++a)
     listed[a] = store.x_listed[a];
   for (const auto &b : bodies)
-    ghosts.append<dim>(listed, b.first, b.last, b.list_radius, parameters.symmetry);
+    ghosts.append<dim>(listed, b.first, b.last, b.list_radius, parameters.symmetry, parameters.mirrors);
   const bool listed_riders = !images.empty() && images.back().bits == 0;
   if (any_riders() && !listed_riders)
     images.emplace_back();
@@ -118,7 +122,7 @@ void Solver<dim>::Implementation::rebuild_lists()
   for (const auto &b : bodies)
     if (any_riders())
     {
-      ghosts.append<dim>(listed, b.first_rider, b.last_rider, b.list_radius, parameters.symmetry);
+      ghosts.append<dim>(listed, b.first_rider, b.last_rider, b.list_radius, parameters.symmetry, parameters.mirrors);
       images_of_riders.push_back(ghosts.range.back());
     }
   const std::size_t all = n + ghosts.size();
@@ -139,6 +143,8 @@ void Solver<dim>::Implementation::rebuild_lists()
   list_images(view);
   if (any_riders())
     list_riders(view, images_of_riders);
+  part_pieces(pairs.rows);
+  pieces_stale = false;
 
   // One record more: the zeros that fill up the rows.
   force_records.assign((all + 1) * L::force_stride, 0.);
@@ -190,10 +196,39 @@ void Solver<dim>::Implementation::list_images(const std::array<std::span<const d
       append_rows<dim>(x, bodies[k].first, bodies[k].last, n + m.range[k][0], n + m.range[k][1],
                        bodies[k].list_radius, static_cast<std::uint32_t>(n + ghosts.size()), m.pairs.rows, true);
     }
+    part_pieces(m.pairs.rows);
     size_pairs(m.pairs);
     m.sums.assign(any ? n * std::max({L::gradient_stride, L::forces_stride, V::sums_stride, L::means_stride}) : 0, 0.);
     m.forces.assign(any ? n * L::forces_stride : 0, 0.);
   }
+}
+
+template <int dim>
+void Solver<dim>::Implementation::part_pieces(NeighbourRows &rows) const
+{
+  if (pieces.empty())
+    return;
+  const std::size_t n     = store.size();
+  const auto        dummy = static_cast<std::uint32_t>(n + ghosts.size());
+  const auto        piece = [&](std::uint32_t i) {
+    const std::size_t who = i < n ? i : ghosts.parent[i - n];
+    const auto        id  = who < n_own() ? static_cast<std::size_t>(store.id[who]) : pieces.size();
+    return id < pieces.size() ? pieces[id] : -1;
+  };
+  NeighbourRows kept;
+  for (std::uint32_t i = 0; i + 1 < rows.row.size(); ++i)
+  {
+    const std::int64_t own = piece(i);
+    for (std::size_t k = rows.row[i]; k < rows.row[i + 1]; ++k)
+      if (const std::uint32_t j = rows.index[k]; j != dummy)
+        if (const std::int64_t other = piece(j); own < 0 || other < 0 || own == other)
+          kept.index.push_back(j);
+    kept.pairs += kept.index.size() - kept.row.back();
+    while (kept.index.size() % simd_width != 0)
+      kept.index.push_back(dummy);
+    kept.row.push_back(kept.index.size());
+  }
+  rows = std::move(kept);
 }
 
 /// Rows of the riders over all of their body, and of the particles over the
@@ -224,6 +259,7 @@ void Solver<dim>::Implementation::list_riders(const std::array<std::span<const d
     list(all, n + ghosts.range[k][0], n + ghosts.range[k][1]);
     append_rows_of<dim>(x, b.first_rider, b.last_rider, all, b.list_radius, dummy, pairs.rows);
   }
+  part_pieces(m.pairs.rows);
   size_pairs(m.pairs);
   m.sums.assign(n * std::max({L::gradient_stride, L::forces_stride, V::sums_stride, L::means_stride, SensorLayout<dim>::sums_stride}), 0.);
   m.forces.assign(n * L::forces_stride, 0.);
@@ -259,7 +295,7 @@ void Solver<dim>::Implementation::reflect_motion()
     for (int a = 0; a < dim; ++a)
     {
       to[L::x + a] = ghosts.sign[g][a] * from[L::x + a] + shift(g, a, time);
-      to[L::v + a] = ghosts.sign[g][a] * from[L::v + a] + shift_rate(g, a);
+      to[L::v + a] = ghosts.turn[g] * ghosts.sign[g][a] * from[L::v + a] + shift_rate(g, a);
     }
     to[L::weight]  = share(g) * from[L::weight];
     to[L::density] = from[L::density];
@@ -279,8 +315,9 @@ void Solver<dim>::Implementation::reflect_forces()
     for (int a = 0; a < dim; ++a)
       for (int b = 0; b < dim; ++b)
       {
-        to[L::p + a * dim + b]     = s[a] * s[b] * from[L::p + a * dim + b];
-        to[L::rate + L::sym(a, b)] = s[a] * s[b] * from[L::rate + L::sym(a, b)];
+        const double sign          = ghosts.turn[g] * s[a] * s[b];
+        to[L::p + a * dim + b]     = sign * from[L::p + a * dim + b];
+        to[L::rate + L::sym(a, b)] = sign * from[L::rate + L::sym(a, b)];
       }
   }
 }
@@ -333,6 +370,7 @@ Sweep Solver<dim>::Implementation::rider_sweep_of(const Body &b, double *sums)
 }
 
 #define OGIVE_INSTANTIATE(d)                                                                                 \
+  template void  Solver<d>::Implementation::part_pieces(NeighbourRows &) const;                              \
   template void  Solver<d>::Implementation::list_riders(const std::array<std::span<const double>, d> &,      \
                                                         const std::vector<std::array<std::size_t, 2>> &);    \
   template Sweep Solver<d>::Implementation::rider_sweep_of(const Body &, double *);                          \

@@ -12,10 +12,14 @@ void Solver<dim>::Implementation::follow(bool lists)
 {
   if (lists)
     rebuild_lists();
+  if (store.in_parts)
+    store.v.swap(store.v_strain);
   advance_material(0);
   list_contact_points();
   surface_stale = false;
   forces();
+  if (store.in_parts)
+    store.v.swap(store.v_strain);
 }
 
 template <int dim>
@@ -23,7 +27,7 @@ void Solver<dim>::Implementation::keep()
 {
   if (!kept)
     kept = std::make_unique<State>();
-  *kept = {store, reference.deformation, near_surface, works, time, time_listed, wall_forces, updates, topology, diagnostics.rebuilds};
+  *kept = {store, reference.deformation, near_surface, works, time, time_listed, wall_forces, updates, topology, diagnostics.rebuilds, pieces};
 }
 
 template <int dim>
@@ -39,6 +43,7 @@ void Solver<dim>::Implementation::go_back()
   time_listed      = kept->time_listed;
   wall_forces      = kept->wall_forces;
   updates          = kept->updates;
+  pieces           = kept->pieces;
   if (topology != kept->topology)
     kept->topology = ++topology;
   follow(lists);
@@ -63,10 +68,15 @@ void Solver<dim>::Implementation::write(ArchiveWriter &out, const std::string &p
   out.write(prefix + "/id", std::span<const std::int64_t>(store.id));
   out.write(prefix + "/fixed", std::span<const std::int64_t>(store.fixed));
   out.write(prefix + "/near_surface", std::span<const std::int64_t>(near_surface));
+  std::vector<std::int64_t> parts{static_cast<std::int64_t>(pieces.size())};
+  parts.insert(parts.end(), pieces.begin(), pieces.end());
+  out.write(prefix + "/pieces", std::span<const std::int64_t>(parts));
   out.write(prefix + "/touch", std::span<const std::int64_t>(store.touch));
   const double work[8] = {works.external,   works.wall_loss,  works.friction, works.impulse[0],
                           works.impulse[1], works.impulse[2], time,           time_listed};
   out.write(prefix + "/works", std::span<const double>(work, 8));
+  if (store.in_parts)
+    out.write(prefix + "/parts_error", works.parts_error);
   out.write(prefix + "/wall_pull", std::span<const double>(works.pull));
   out.write(prefix + "/wall_forces", std::span<const double>(wall_forces));
   out.write(prefix + "/updates", static_cast<std::int64_t>(updates));
@@ -133,6 +143,8 @@ void Solver<dim>::Implementation::read(const ArchiveReader &in, const std::strin
   const auto work = in.doubles(prefix + "/works");
   fit("works", work.size(), 8);
   works           = {work[0], work[1], work[2], Vec3(work[3], work[4], work[5]), in.doubles(prefix + "/wall_pull")};
+  if (store.in_parts)
+    works.parts_error = in.number(prefix + "/parts_error");
   const auto seam = in.doubles(prefix + "/seam_work");
   fit("seam_work", seam.size(), 1);
   works.seam = seam[0];
@@ -142,6 +154,8 @@ void Solver<dim>::Implementation::read(const ArchiveReader &in, const std::strin
   wall_forces     = in.doubles(prefix + "/wall_forces");
   fit("wall_forces", wall_forces.size(), parameters.walls.size());
   updates = static_cast<std::uint64_t>(in.integer(prefix + "/updates"));
+  const auto parts = in.integers(prefix + "/pieces");
+  pieces.assign(parts.begin() + 1, parts.end());
   ++topology;
   follow(true);
 }

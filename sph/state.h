@@ -18,5 +18,6 @@ struct Solver<dim>::Implementation::State
   std::uint64_t             updates  = 0;
   std::uint64_t             topology = 0;
   std::uint64_t             rebuilds = 0;
+  std::vector<std::int64_t> pieces{};
 };
 } // namespace ogive::sph

@@ -2,6 +2,7 @@
 #include "core/input/checks.h"
 #include "core/input/shape_geometry.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace ogive::input
@@ -226,6 +227,14 @@ void check_walls(const Place &p)
   }
 }
 
+/// Particles and elements that share a layer of the material.
+bool blended(const Scene &s, const std::string &a, const std::string &b)
+{
+  return std::any_of(s.interfaces.begin(), s.interfaces.end(), [&](const Interface &i) {
+    return i.method == "blended" && ((i.particles == a && i.mesh == b) || (i.particles == b && i.mesh == a));
+  });
+}
+
 void check_overlaps(const Scene &s, const Listing &listing)
 {
   for (std::size_t b = 1; b < s.bodies.size(); ++b)
@@ -233,6 +242,8 @@ void check_overlaps(const Scene &s, const Listing &listing)
     {
       const Shape &first = s.bodies[a].shape, &second = s.bodies[b].shape;
       Vec3         point;
+      if (blended(s, s.bodies[a].name, s.bodies[b].name))
+        continue;
       if (first.kind == ShapeKind::mesh || second.kind == ShapeKind::mesh || !find_overlap(first, second, s, point))
         continue;
       const std::string section = "Bodies/" + s.bodies[b].name;

@@ -180,6 +180,9 @@ void check_contacts(const Scene &s, const Listing &listing)
     const std::string section = "Contacts/" + c.name;
     find_body(s, listing, section, "between", c.first);
     find_body(s, listing, section, "between", c.second);
+    if (c.first == c.second && s.dimension == Dimension::uniaxial)
+      throw InputError(listing.where(section, "between"), "in one dimension a body cannot meet itself",
+                       "two different bodies");
     const auto same = [&](const std::string &a, const std::string &b) {
       return (a == c.first && b == c.second) || (a == c.second && b == c.first);
     };

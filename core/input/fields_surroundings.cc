@@ -94,7 +94,7 @@ void contact_fields(Fields &f, Contact &c)
   std::vector<std::string> between;
   if (!c.first.empty())
     between = {c.first, c.second};
-  f.names({"between", "the two bodies that may touch", Need::mandatory}, between, NamesPattern({}, 2));
+  f.names({"between", "the two bodies that may touch; one body twice: its fragments and folds", Need::mandatory}, between, NamesPattern({}, 2));
   if (between.size() == 2)
   {
     c.first  = between[0];

@@ -222,7 +222,7 @@ Pattern::Complaint NamesPattern::complaint(const std::string &text) const
     for (const char c : name)
       if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '_' && c != '.')
         return {"\"" + name + "\" is not a name", {}};
-    if (!seen.insert(name).second)
+    if (!seen.insert(name).second && count_ == 0) // a pair may be one twice
       return {"\"" + name + "\" is listed twice", {}};
     if (!choices_.empty() && std::find(choices_.begin(), choices_.end(), name) == choices_.end())
       return {"\"" + name + "\" is not known here", did_you_mean(name, choices_)};

@@ -101,6 +101,7 @@ struct World
 {
   Arrays<dim>                mesh, particles;
   std::vector<std::uint32_t> index_of_id;
+  std::vector<double>        damage; ///< of the particles by present index; empty: none
   Point<dim>                 gravity = Point<dim>::Zero();
   double                     time    = 0;
 
@@ -113,6 +114,7 @@ struct World
     for (std::size_t i = 0; i < particles.id.size(); ++i)
       index_of_id[particles.id[i]] = static_cast<std::uint32_t>(i);
     faces.particle_index = index_of_id;
+    faces.damage         = damage;
     return faces;
   }
 
@@ -196,7 +198,8 @@ inline void add_box(Arrays<3> &mesh, const Point<3> &half, int n, double node_ma
             at[c]         = j + o[1];
             facet.node[k] = node(at);
           }
-          facet.body = body;
+          facet.body    = body;
+          facet.element = static_cast<std::uint32_t>(mesh.facets.size()); // an element behind each
           mesh.facets.push_back(facet);
         }
 }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <random>
 
@@ -116,16 +117,95 @@ TEST(NeighbourList, BoxWithoutPlaceMeetsNothing)
   EXPECT_EQ(list.of(0).size(), 3u);
 }
 
-TEST(DisplacementWatch, SeesMotionBeyondTheMarginAndNaN)
+// Rows of a list thinned out are those of the list of the pairs that stay.
+TEST(NeighbourList, DropsPairs)
 {
-  DisplacementWatch<2>       watch;
-  std::vector<Point<2>>      points{{.3, 4}, {-2, 1}};
-  EXPECT_TRUE(watch.exceeded(points, 1e9)); // never set
-  watch.set(points);
-  points[1] += Point<2>(.03, .04);
-  EXPECT_FALSE(watch.exceeded(points, .0501));
-  EXPECT_TRUE(watch.exceeded(points, .0499));
-  points[0][0] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_TRUE(watch.exceeded(points, 1e9));
+  std::mt19937        random(6);
+  std::vector<Box<3>> boxes(80);
+  for (auto &box : boxes)
+    box = random_box<3>(random, 2.);
+  NeighbourList<3> list, whole;
+  list.build(boxes, boxes);
+  whole.build(boxes, boxes);
+  const auto drop = [](std::size_t q, std::uint32_t t) { return t <= q || t % 3 == 0; };
+  list.remove_if(drop);
+  std::size_t left = 0;
+  for (std::size_t q = 0; q < boxes.size(); ++q)
+  {
+    std::vector<std::uint32_t> expected;
+    for (const std::uint32_t t : whole.of(q))
+      if (!drop(q, t))
+        expected.push_back(t);
+    const auto found = list.of(q);
+    EXPECT_EQ(std::vector<std::uint32_t>(found.begin(), found.end()), expected);
+    left += expected.size();
+  }
+  EXPECT_EQ(list.n_pairs(), left);
+  EXPECT_GT(left, 20u);
+  EXPECT_LT(left, whole.n_pairs() / 2);
+}
+
+// Coplanar, repeated and huge boxes, points on the sides of others: what a tree
+// of boxes meets in a flat plate whose nodes share their coordinates.
+TEST(NeighbourList, EqualsBruteForceOnFlatLattices)
+{
+  std::vector<Box<3>> lattice, points;
+  for (int i = 0; i < 12; ++i)
+    for (int j = 0; j < 12; ++j)
+    {
+      lattice.emplace_back();
+      lattice.back().include({i * .5, j * .5, 0});
+      lattice.back().include({i * .5 + .5, j * .5 + .5, 0});
+      points.emplace_back();
+      points.back().include({i * .5, j * .5, j % 2 ? 0. : .25});
+    }
+  lattice.push_back(lattice.front());
+  lattice.emplace_back();
+  lattice.back().include(Point<3>::Constant(-1e9));
+  lattice.back().include(Point<3>::Constant(1e9));
+  expect_brute_force<3>(points, lattice);
+  expect_brute_force<3>(lattice, points);
+}
+
+TEST(DisplacementWatch, BoundsWhatComesTogether)
+{
+  DisplacementWatch<2>    watch;
+  std::vector<Point<2>>   points{{.3, 4}, {-2, 1}, {7, 7}};
+  constexpr double        never = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(watch.approach(points), never); // never set
+  watch.set(points, 1);
+  EXPECT_EQ(watch.approach(points), 0);
+  for (auto &p : points)
+    p += Point<2>(100, -30); // all alike
+  EXPECT_LT(watch.approach(points), 1e-12);
+  // One point alone, by .05: in the frame half way each side has gone .025.
+  points[0] += Point<2>(.03, .04);
+  EXPECT_NEAR(watch.approach(points), .05, 1e-12);
+  EXPECT_EQ(watch.approach(std::span(points).first(2)), never);
+  points[2][0] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(watch.approach(points), never);
+}
+
+// It is a bound: no pair across the groups has come closer by more.
+TEST(DisplacementWatch, NeverFallsShort)
+{
+  std::mt19937                           random(8);
+  std::uniform_real_distribution<double> u(-1, 1);
+  for (int round = 0; round < 300; ++round)
+  {
+    std::vector<Point<3>> before(9), after;
+    for (auto &p : before)
+      p = {u(random), u(random), u(random)};
+    const Point<3> common(5 * u(random), 5 * u(random), 5 * u(random));
+    for (const auto &p : before)
+      after.push_back(p + common + .3 * Point<3>(u(random), u(random), u(random)));
+    DisplacementWatch<3> watch;
+    watch.set(before, 4);
+    const double bound = watch.approach(after);
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = 4; j < 9; ++j)
+        ASSERT_LE((before[i] - before[j]).norm() - (after[i] - after[j]).norm(), bound);
+    ASSERT_LE(bound, 2 * .3 * 2 * std::sqrt(3.));
+  }
 }
 } // namespace ogive::coupling

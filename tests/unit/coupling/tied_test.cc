@@ -415,7 +415,6 @@ TEST(Coupler, NamesWhatIsWrongInTheScene)
     EXPECT_THROW(Coupler<2>(wrong, nullptr, std::unique_ptr<ParticlePort<2>>()), InputError);
   };
   refused({"c", "a", "missing", 0, .1});
-  refused({"c", "a", "a", 0, .1});
   refused({"c", "a", "b", -.1, .1});
   refused({"c", "a", "b", 0, .2});
   refused({"c", "a", "b", 0, 0});

@@ -14,7 +14,8 @@ using input::Method;
 
 /// A striker of 4 mm radius (3-D: a box of 6 x 6 mm, elements of 1 mm) at 600 m/s
 /// and a plate of 3 mm whose elements die at a plastic strain of .3, free at its rim.
-input::Scene strike(Dimension dimension, Method striker)
+/// `itself`: the plate's fragments touch each other.
+input::Scene strike(Dimension dimension, Method striker, bool itself = false)
 {
   auto  scene                      = scenes::steel_scene(dimension);
   auto &steel                      = scene.materials.front();
@@ -33,15 +34,17 @@ input::Scene strike(Dimension dimension, Method striker)
   }
   scene.bodies.back().erosion = {true, .3, 0};
   scene.contacts.push_back({"touch", "striker", "plate", 0, .1});
+  if (itself)
+    scene.contacts.push_back({"fragments", "plate", "plate", .1, .1});
   return scene;
 }
 
 /// It goes through: behind the plate in the end, with what the plate left it.
 /// Bar: the books of contact, as without deaths.
 template <int dim>
-void expect_through(Dimension dimension, Method striker)
+void expect_through(Dimension dimension, Method striker, bool itself = false)
 {
-  scenes::Driver<dim> run(strike(dimension, striker));
+  scenes::Driver<dim> run(strike(dimension, striker, itself));
   Ledger              ledger;
   auto                row = run.model.ledger();
   ledger.enter(row);
@@ -87,11 +90,15 @@ TEST(ErodingPlate, ParticlesGoThroughInAxialSymmetry) { expect_through<2>(Dimens
 TEST(ErodingPlate, MeshGoesThroughInThreeDimensions) { expect_through<3>(Dimension::three_d, Method::fem); }
 TEST(ErodingPlate, ParticlesGoThroughInThreeDimensions) { expect_through<3>(Dimension::three_d, Method::sph); }
 
+// With the plug and what is left of the plate in contact.
+TEST(ErodingPlate, PlugRubsInAxialSymmetry) { expect_through<2>(Dimension::axisymmetric, Method::fem, true); }
+TEST(ErodingPlate, FragmentsTouchInThreeDimensions) { expect_through<3>(Dimension::three_d, Method::fem, true); }
+
 // To the bit through deaths under contact: from a checkpoint, and after a step
 // that was taken back together with those who had died in it.
 TEST(ErodingPlate, RestartAndRejectedStepAreBitwise)
 {
-  const auto        scene = strike(Dimension::axisymmetric, Method::fem);
+  const auto        scene = strike(Dimension::axisymmetric, Method::fem, true);
   scenes::Driver<2> whole(scene), resumed(scene);
   const auto        dead = [](const auto &run) { return run.model.ledger().eroded_elements; };
   while (dead(whole) < 5)
