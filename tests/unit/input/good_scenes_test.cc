@@ -126,6 +126,18 @@ TEST(GoodScenes, HoldLoadsTiesAndCoarsening)
   EXPECT_EQ(write_resolved(read_scene(write_file("resolved.prm", resolved))), resolved);
 }
 
+// One body twice: it meets itself. Overlaps are at rest unless it is said.
+TEST(GoodScenes, LetABodyMeetItself)
+{
+  const auto text = replaced(base_scene, "set between = projectile, zone",
+                             "set between = projectile, projectile\n    set overlap = refuse");
+  const Scene s = read_scene(write_file("itself.prm", text));
+  EXPECT_EQ(s.contacts[0].first, "projectile");
+  EXPECT_EQ(s.contacts[0].second, "projectile");
+  EXPECT_EQ(s.contacts[0].overlap, "refuse");
+  EXPECT_EQ(read_scene(write_file("base.prm", base_scene)).contacts[0].overlap, "rest");
+}
+
 TEST(GoodScenes, AreNamedAfterTheirFolderOrFile)
 {
   const std::string file = write_file("scene.prm", base_scene);
