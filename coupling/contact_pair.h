@@ -29,6 +29,7 @@ struct ContactSpec
   /// solver joins them, m, by their places of t = 0 or of now.
   double      joined_within   = 0;
   bool        joined_at_start = false;
+  double      first_radius = 0, second_radius = 0; ///< of particles that may come later, m
 
   bool meets_itself() const { return first == second && first_party == second_party; }
 };

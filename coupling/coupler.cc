@@ -22,12 +22,17 @@ Party party_of(const input::Scene &scene, int body)
   return scene.bodies[body].method == input::Method::sph ? particle_party : mesh_party;
 }
 
-/// What a body is made of, or may be in time.
+/// Both for a body whose elements turn into particles.
 std::vector<Party> parties_of(const input::Scene &scene, int body)
 {
-  if (scene.bodies[body].method == input::Method::automatic)
-    return {mesh_party, particle_party};
-  return {party_of(scene, body)};
+  return scene.bodies[body].method == input::Method::automatic ? std::vector<Party>{mesh_party, particle_party} :
+                                                                 std::vector<Party>{party_of(scene, body)};
+}
+
+/// Of the particles that a body's elements may turn into, m; 0 for other bodies.
+double coming_radius(const input::Body &body)
+{
+  return body.method == input::Method::automatic ? .5 * body.spacing / body.conversion.per_edge : 0.;
 }
 
 /// Which pairs of a body of particles are the particle solver's: within its
@@ -43,6 +48,27 @@ void set_joined(const input::Scene &scene, ContactSpec &spec)
   spec.joined_within   = (options.kernel == "quintic" ? 3 : 2) * options.h_over_dx * spacing;
   if (spec.joined_at_start)
     spec.joined_within = std::max(spec.joined_within, 3.5 * spacing);
+}
+
+/// Seams of particles and elements: those of the scene, and one within each body
+/// with method auto that the scene says nothing of.
+std::vector<input::Interface> seams_of(const input::Scene &scene)
+{
+  std::vector<input::Interface> seams;
+  for (const auto &entry : scene.interfaces)
+    if (!entry.joins_meshes()) // else the mesh solver's own affair
+      seams.push_back(entry);
+  for (const auto &body : scene.bodies)
+    if (body.method == input::Method::automatic &&
+        std::none_of(seams.begin(), seams.end(), [&](const auto &i) { return i.body == body.name; }))
+    {
+      input::Interface seam;
+      seam.name   = body.name + "-seam";
+      seam.body   = body.name;
+      seam.method = "pair-flux";
+      seams.push_back(seam);
+    }
+  return seams;
 }
 
 /// Cuts of the model: symmetry planes and the axis of rotation.
@@ -74,22 +100,27 @@ Coupler<dim>::~Coupler() = default;
 template <int dim>
 void Coupler<dim>::build_interfaces(const input::Scene &scene)
 {
-  for (const auto &entry : scene.interfaces)
+  for (const input::Interface &entry : seams_of(scene))
   {
-    if (entry.joins_meshes()) // the mesh solver's own affair
-      continue;
     InterfaceSpec spec;
-    spec.name          = entry.name;
-    spec.method        = entry.method;
-    spec.particle_body = entry.particles;
-    spec.mesh_body     = entry.mesh;
-    spec.particles     = body_named(scene, entry.particles, entry.name);
-    spec.mesh          = body_named(scene, entry.mesh, entry.name);
+    const bool    within = !entry.body.empty();
+    spec.name           = entry.name;
+    spec.method         = entry.method;
+    spec.particle_body  = within ? entry.body : entry.particles;
+    spec.mesh_body      = within ? entry.body : entry.mesh;
+    spec.particles      = body_named(scene, spec.particle_body, entry.name);
+    spec.mesh           = body_named(scene, spec.mesh_body, entry.name);
     spec.symmetry_axes  = cut_axes(scene);
     spec.axisymmetric   = axisymmetric_;
     spec.damping        = entry.damping;
     spec.pair_viscosity = entry.pair_viscosity;
-    if (party_of(scene, spec.particles) != particle_party || party_of(scene, spec.mesh) != mesh_party)
+    spec.per_edge       = within ? static_cast<int>(scene.bodies[spec.mesh].conversion.per_edge) : 0;
+    if (within && spec.method != "pair-flux")
+      throw InputError({scene.file, 0, "Interfaces/" + entry.name},
+                       "the seam of a body whose elements turn into particles moves, and \"" + spec.method +
+                         "\" does not follow",
+                       "method = pair-flux");
+    if (!within && (party_of(scene, spec.particles) != particle_party || party_of(scene, spec.mesh) != mesh_party))
       throw InputError({scene.file, 0, entry.name},
                        "an interface joins a body of particles and a body of elements",
                        "\"" + entry.particles + "\" with method sph and \"" + entry.mesh +
@@ -121,6 +152,8 @@ void Coupler<dim>::build_contacts(const input::Scene &scene)
                        "more than 0 and at most .1, so that contact does not set the step");
     if (!(entry.friction >= 0))
       throw InputError({scene.file, 0, entry.name}, "negative friction", "a coefficient >= 0");
+    spec.first_radius  = coming_radius(scene.bodies[spec.first]);
+    spec.second_radius = coming_radius(scene.bodies[spec.second]);
     for (const Party first : parties_of(scene, spec.first))
       for (const Party second : parties_of(scene, spec.second))
       {
@@ -152,6 +185,13 @@ void Coupler<dim>::build_contacts(const input::Scene &scene)
   const auto faces = Faces<dim>::look(mesh_.get(), particles_.get());
   moves_           = contacts_->healing(faces, healed_);
   contacts_->start(faces);
+}
+
+template <int dim>
+void Coupler<dim>::renew()
+{
+  for (auto &interface : interfaces_)
+    interface->renew();
 }
 
 template <int dim>

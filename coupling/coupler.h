@@ -55,6 +55,8 @@ public:
   Coupler(const input::Scene &, std::unique_ptr<MeshPort<dim>>, std::unique_ptr<ParticlePort<dim>>);
   ~Coupler();
 
+  /// Between two steps, after elements have turned into particles.
+  void renew();
   /// Contact and interface forces at t_n into Surface::force of both parties
   /// (what stands there is cleared first).
   void gather();

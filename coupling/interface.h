@@ -54,6 +54,9 @@ class Interface
 public:
   virtual ~Interface() = default;
 
+  /// Between two steps, after elements have turned into particles.
+  virtual void renew() {}
+
   /// Adds its forces at t_n to Faces::force; Slaves::force is what acts on the
   /// slaves at t_n, contact included.
   virtual void gather(Faces<dim> &, const Slaves<dim> &) = 0;

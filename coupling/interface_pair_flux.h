@@ -17,6 +17,12 @@ namespace ogive::coupling
 /// so linear momentum is exact. Weights keep to the particle between two
 /// renewals of the neighbour lists.
 ///
+/// What the feet give the nodes of a facet is not what a uniform stress would,
+/// unless the lattice lies along the seam: the difference in area, d_I, goes
+/// along the edges of the seam from node to node. The graph Laplacian
+/// L phi = d gives q_e = phi_I - phi_K, and f_I += sigma_e q_e, f_K -= sigma_e q_e
+/// with the stress of the elements at the edge.
+///
 /// Energy is not exact: what a pair with a rider takes from the particle the
 /// elements take from elsewhere; the residue is measured. Undamped, in two and
 /// three dimensions, such a seam feeds on noise: a viscosity on what pairs at the
@@ -28,6 +34,7 @@ class PairFluxInterface : public Interface<dim>
 public:
   PairFluxInterface(const InterfaceSpec &, MeshPort<dim> &, ParticlePort<dim> &, Slaves<dim> &);
 
+  void renew() override;
   void gather(Faces<dim> &, const Slaves<dim> &) override;
   void drive(const Faces<dim> &, Slaves<dim> &) const override;
   void close(const Faces<dim> &, const Slaves<dim> &, const TimeStep &) override;
@@ -52,7 +59,12 @@ private:
   };
 
   void       board(const Faces<dim> &); ///< riders and damped elements for the seam as it is
+  void       sort_by_host();
+  void       damp(const Faces<dim> &, const typename MeshPort<dim>::Cells &);
   void       find_feet(const Faces<dim> &);
+  void       balance_areas(const Faces<dim> &);
+  void       save_riders(ArchiveWriter &, const std::string &prefix) const;
+  void       load_riders(const ArchiveReader &, const std::string &prefix);
   Point<dim> velocity_at(const Faces<dim> &, const Foothold &) const;
 
   InterfaceSpec                                    spec_;
@@ -62,10 +74,22 @@ private:
   std::vector<typename Surface<dim>::Facet>        seam_;
   std::vector<RiderPlace<dim>>                     riders_;
   std::vector<std::pair<std::uint32_t, std::vector<std::uint32_t>>> hosts_; ///< element, its riders
+  /// An edge of the seam and the area that it carries from its second to its
+  /// first node, m^2.
+  struct Edge
+  {
+    std::array<std::uint32_t, 2> node{}, element{}; ///< elements on either side, the same one twice at a rim
+    Point<dim>                   area = Point<dim>::Zero();
+    bool operator==(const Edge &) const = default;
+  };
+
   std::vector<Foothold>                            feet_, kept_feet_;
-  std::uint64_t                                    topology_ = 0, mesh_topology_ = 0;
+  std::vector<Edge>                                edges_, kept_edges_;
+  std::vector<Point<dim>>                          edge_force_, edge_velocity_before_; ///< of the step
+  std::uint64_t                                    topology_ = 0;
   bool                                             adopt_ = false; ///< the feet are those of the lists in place
   std::vector<Point<dim>>                          force_, velocity_before_; ///< of the step, by foothold
+  std::vector<std::uint32_t>                       damped_;
   InterfaceEnergy                                  energy_, kept_;
   mutable materials::Points                        state_; ///< scratch
 };

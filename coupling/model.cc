@@ -5,6 +5,7 @@
 #include "core/materials/hugoniot.h"
 #include "core/materials/started_material.h"
 #include "coupling/healing.h"
+#include "coupling/joined_sample.h"
 #include "fem/mesh.h"
 #include "sph/fill.h"
 
@@ -55,6 +56,34 @@ std::vector<int> boundary_bodies(const input::Scene &scene)
   return bodies;
 }
 
+/// Elements at the faces that boundaries act on: those stay elements.
+template <int dim>
+std::vector<std::uint32_t> held_elements(const input::Scene &scene, const input::Body &body,
+                                         const fem::BodyMesh<dim> &mesh)
+{
+  std::vector<std::uint32_t> held;
+  for (const input::Boundary &boundary : scene.boundaries)
+    for (const auto &facet : mesh.facets)
+      if (boundary.body == body.name && boundary.kind != input::BoundaryKind::body_force &&
+          mesh.is_called(facet.boundary, boundary.face))
+        held.push_back(facet.cell);
+  return held;
+}
+
+/// Room for the particles of a body that has none yet.
+template <int dim>
+sph::BodyParticles<dim> no_particles(const input::Body &body, int index,
+                                     std::shared_ptr<const materials::Material> material)
+{
+  sph::BodyParticles<dim> cloud;
+  cloud.body     = index;
+  cloud.material = std::move(material);
+  cloud.spacing  = body.spacing / body.conversion.per_edge;
+  cloud.shape    = body.shape;
+  cloud.grows    = true;
+  return cloud;
+}
+
 std::vector<fem::Tie> mesh_ties(const input::Scene &scene)
 {
   std::vector<fem::Tie> ties;
@@ -103,6 +132,7 @@ Model<dim>::Model(const input::Scene &scene)
   {
     const auto healed = coupler_->healed();
     coupler_.reset();
+    conversion_.reset();
     mesh_notes_.clear();
     contact_bodies_.clear();
     build(scene, moves);
@@ -116,17 +146,23 @@ void Model<dim>::build(const input::Scene &scene, const std::vector<Move> &moves
   const auto                              materials = build_materials(scene);
   std::vector<fem::BodyMesh<dim>>         meshes;
   std::vector<sph::BodyParticles<dim>>    clouds;
+  std::vector<std::pair<int, std::vector<std::uint32_t>>> held; // of bodies that convert
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
   {
     const input::Body &body     = scene.bodies[b];
     const auto         material = materials.at(body.material);
-    if (body.method == input::Method::fem)
+    if (body.method != input::Method::sph)
     {
       meshes.push_back(fem::make_mesh<dim>(body, scene, static_cast<int>(b), material));
       for (const std::string &note : meshes.back().notes)
         mesh_notes_.push_back("body \"" + body.name + "\": " + note);
     }
-    else
+    if (body.method == input::Method::automatic)
+    {
+      held.emplace_back(static_cast<int>(b), held_elements(scene, body, meshes.back()));
+      clouds.push_back(no_particles<dim>(body, static_cast<int>(b), material));
+    }
+    if (body.method == input::Method::sph)
     {
       clouds.push_back(sph::fill<dim>(body, scene, static_cast<int>(b), material));
       start(clouds.back(), body);
@@ -144,6 +180,11 @@ void Model<dim>::build(const input::Scene &scene, const std::vector<Move> &moves
       sph::Parameters{scene.sph, scene.dimension == input::Dimension::axisymmetric, scene.symmetry, scene.walls,
                       scene.boundaries, boundary_bodies(scene)},
       std::move(clouds));
+  if (!held.empty())
+  {
+    conversion_ = std::make_unique<Conversion<dim>>(scene, *fem_, *sph_, held);
+    conversion_->begin();
+  }
   coupler_ = std::make_unique<Coupler<dim>>(scene, fem_.get(), sph_.get());
   for (const input::Contact &contact : scene.contacts)
     contact_bodies_.emplace_back(body_index(scene, contact.first), body_index(scene, contact.second));
@@ -182,8 +223,22 @@ StepStatus Model<dim>::step(const TimeStep &step)
 }
 
 template <int dim>
+std::vector<ConversionEvent> Model<dim>::convert(std::int64_t step, double time)
+{
+  if (!conversion_)
+    return {};
+  const Stopwatch watch(sph_seconds_);
+  auto            events = conversion_->convert(step, time);
+  if (!events.empty())
+    coupler_->renew();
+  return events;
+}
+
+template <int dim>
 void Model<dim>::snapshot()
 {
+  if (conversion_)
+    conversion_->snapshot();
   if (fem_)
     fem_->snapshot();
   if (sph_)
@@ -194,6 +249,8 @@ void Model<dim>::snapshot()
 template <int dim>
 void Model<dim>::restore()
 {
+  if (conversion_)
+    conversion_->restore();
   if (fem_)
     fem_->restore();
   if (sph_)
@@ -204,6 +261,8 @@ void Model<dim>::restore()
 template <int dim>
 void Model<dim>::save(ArchiveWriter &archive) const
 {
+  if (conversion_)
+    conversion_->save(archive, "conversion");
   if (fem_)
     fem_->save(archive, "fem");
   if (sph_)
@@ -214,6 +273,8 @@ void Model<dim>::save(ArchiveWriter &archive) const
 template <int dim>
 void Model<dim>::load(const ArchiveReader &archive)
 {
+  if (conversion_)
+    conversion_->load(archive, "conversion");
   if (fem_)
     fem_->load(archive, "fem");
   if (sph_)
@@ -224,18 +285,31 @@ void Model<dim>::load(const ArchiveReader &archive)
 template <int dim>
 LedgerRow Model<dim>::ledger() const
 {
-  return ledger_row(fem_ ? fem_->balance() : Balance(), sph_ ? sph_->balance() : Balance(), coupler_->balance());
+  CouplingBalance coupling = coupler_->balance();
+  if (conversion_)
+    coupling.conversion_heat += conversion_->heat();
+  return ledger_row(fem_ ? fem_->balance() : Balance(), sph_ ? sph_->balance() : Balance(), coupling);
+}
+
+template <int dim>
+Sample Model<dim>::mesh_sample(int body) const
+{
+  return fem_ ? fem_->sample(body) : Sample();
+}
+
+template <int dim>
+Sample Model<dim>::particle_sample(int body) const
+{
+  return sph_ ? sph_->sample(body) : Sample();
 }
 
 template <int dim>
 Sample Model<dim>::sample(int body) const
 {
-  Sample sample;
-  if (fem_)
-    sample = fem_->sample(body);
-  if (sph_ && sample.mass.empty())
-    sample = sph_->sample(body);
-  return sample;
+  Sample mesh = mesh_sample(body), particles = particle_sample(body);
+  if (particles.mass.empty())
+    return mesh;
+  return mesh.mass.empty() ? particles : joined(std::move(mesh), particles);
 }
 
 template <int dim>
@@ -250,7 +324,7 @@ std::vector<fem::MeshQuality> Model<dim>::mesh_qualities(const input::Scene &sce
   const auto                    materials = build_materials(scene);
   std::vector<fem::MeshQuality> qualities;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
-    if (const input::Body &body = scene.bodies[b]; body.method == input::Method::fem)
+    if (const input::Body &body = scene.bodies[b]; body.method != input::Method::sph)
       qualities.push_back(fem::measure_quality(
         fem::make_mesh<dim>(body, scene, static_cast<int>(b), materials.at(body.material)), body.name, scene.fem));
   return qualities;

@@ -7,6 +7,7 @@
 #include "core/input/scene.h"
 #include "core/io/archive.h"
 #include "core/time/time_step.h"
+#include "coupling/conversion.h"
 #include "coupling/coupler.h"
 #include "coupling/ledger.h"
 #include "fem/mesh_quality.h"
@@ -33,13 +34,21 @@ public:
   /// particles, the books.
   StepStatus step(const TimeStep &);
 
+  /// Between two steps: elements of bodies with method auto that must turn into
+  /// particles do. Snapshots taken before are void if there are events.
+  std::vector<ConversionEvent> convert(std::int64_t step, double time);
+  bool                         converts() const { return conversion_ != nullptr; } ///< any such body
+
   void snapshot();
   void restore();
   void save(ArchiveWriter &) const;
   void load(const ArchiveReader &);
 
   LedgerRow ledger() const;
+  /// Elements and particles of the body in one.
   Sample    sample(int body) const;
+  Sample    particle_sample(int body) const; ///< its particles alone, none: empty
+  Sample    mesh_sample(int body) const;
 
   /// Force of each rigid wall in the last step, N into the material.
   std::vector<double> wall_forces() const;
@@ -62,7 +71,7 @@ public:
   StepLimit                       critical_dt() { return fem_ ? fem_->critical_dt() : StepLimit(); }
 
   std::size_t   particles() const { return sph_ ? sph_->size() : 0; }
-  std::size_t   elements() const { return fem_ ? fem_->size() : 0; }
+  std::size_t   elements() const { return fem_ ? fem_->size() - fem_->converted_elements() : 0; }
   std::uint64_t particle_updates() const { return sph_ ? sph_->updates() : 0; }
   std::uint64_t element_updates() const { return fem_ ? fem_->updates() : 0; }
   double        sph_seconds() const { return sph_seconds_; } ///< processor time spent in the particle solver
@@ -76,6 +85,7 @@ private:
   std::vector<std::pair<int, int>>   contact_bodies_; ///< of each contact of the scene
   std::unique_ptr<fem::Solver<dim>>  fem_;
   std::unique_ptr<sph::Solver<dim>>  sph_;
+  std::unique_ptr<Conversion<dim>>   conversion_; ///< where a body has method auto
   std::unique_ptr<Coupler<dim>>      coupler_;
   std::vector<std::string>           mesh_notes_;
   double                             sph_seconds_ = 0, fem_seconds_ = 0;

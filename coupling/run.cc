@@ -5,6 +5,7 @@
 #include "core/io/field_writer.h"
 #include "core/io/history_writer.h"
 #include "core/time/clock.h"
+#include "coupling/conversion_log.h"
 #include "coupling/model.h"
 #include "coupling/run_report.h"
 #include "coupling/stop.h"
@@ -22,6 +23,9 @@ namespace
 {
 /// Steps between the states that a rejected step goes back to.
 constexpr std::int64_t mark_interval = 16;
+/// Steps between two looks for elements that must turn into particles: each
+/// time some do, lists are built anew and a state is kept.
+constexpr std::int64_t conversion_interval = 10;
 
 StepControl step_control(const input::Scene &scene)
 {
@@ -65,6 +69,8 @@ public:
   {
     history_.emplace(directory_.history(), report_.columns());
     fields_.emplace(directory_.path());
+    if (model_.converts())
+      conversions_.begin(directory_.conversions());
     for (const std::string &note : model_.mesh_notes())
       log_.warn(note);
     for (const InitialOverlap &o : model_.initial_overlaps())
@@ -99,6 +105,7 @@ public:
       }
       clock_.advance();
       report_.limited_by(limit);
+      convert();
       watch(step);
     }
     return finish();
@@ -122,6 +129,16 @@ private:
     mark_clock_ = clock_;
     log_.warn("step rejected at " + engineering(clock_.time()) + " s: " + describe(culprit, control_.bodies) +
               "; going on with a smaller step");
+  }
+
+  void convert()
+  {
+    if (clock_.step() % conversion_interval != 0)
+      return;
+    const std::vector<ConversionEvent> events = model_.convert(clock_.step(), clock_.time());
+    conversions_.write(events);
+    if (!events.empty()) // no way back past it
+      mark();
   }
 
   void watch(const TimeStep &step)
@@ -166,7 +183,16 @@ private:
   {
     std::vector<io::FieldBlock> blocks;
     for (std::size_t b = 0; b < scene_.bodies.size(); ++b)
-      blocks.push_back(io::make_block(scene_.bodies[b].name, model_.sample(static_cast<int>(b))));
+    {
+      const int         body     = static_cast<int>(b);
+      const std::string name     = scene_.bodies[b].name;
+      const bool        converts = scene_.bodies[b].method == input::Method::automatic;
+      blocks.push_back(io::make_block(name, converts ? model_.mesh_sample(body) : model_.sample(body)));
+      blocks.back().body = body;
+      if (converts)
+        blocks.push_back(io::make_block(name + "-particles", model_.particle_sample(body)));
+      blocks.back().body = body;
+    }
     fields_->write(clock_.time(), blocks);
     fields_step_ = clock_.step();
   }
@@ -191,6 +217,7 @@ private:
   RunReport                             report_;
   std::optional<io::HistoryWriter>      history_;
   std::optional<io::FieldWriter>        fields_;
+  ConversionLog                         conversions_;
   std::int64_t                          mark_step_ = 0, row_step_ = -1, fields_step_ = -1, checkpoint_step_ = -1;
   double                                start_time_ = 0;
   std::chrono::steady_clock::time_point began_      = std::chrono::steady_clock::now();
@@ -208,6 +235,7 @@ void Run<dim>::write_checkpoint()
   checkpoint_due_.save(archive, "schedule/checkpoint");
   archive.write("rows", history_->rows());
   archive.write("states", static_cast<std::int64_t>(fields_->count()));
+  archive.write("conversions", conversions_.rows());
   archive.write("row_step", row_step_);
   archive.write("fields_step", fields_step_);
   stop_.save(archive, "stop");
@@ -232,6 +260,8 @@ void Run<dim>::resume(const io::Hdf5ArchiveReader &archive)
   history_.emplace(io::HistoryWriter::resume(directory_.history(), report_.columns(), archive.integer("rows")));
   fields_.emplace(
     io::FieldWriter::resume(directory_.path(), static_cast<std::size_t>(archive.integer("states"))));
+  if (model_.converts())
+    conversions_.resume(directory_.conversions(), archive.integer("conversions"));
   start_time_      = clock_.time();
   checkpoint_step_ = clock_.step();
   mark();

@@ -159,13 +159,10 @@ template <int dim>
 std::vector<typename Surface<dim>::Facet> seam_facets(const InterfaceSpec &spec, const Faces<dim> &faces,
                                                       double spacing)
 {
+  if (spec.per_edge > 0)
+    return true_facets(faces[mesh_party], spec.mesh, spec.symmetry_axes, true);
   const auto                                facets = true_facets(faces[mesh_party], spec.mesh, spec.symmetry_axes);
   std::vector<typename Surface<dim>::Facet> seam;
-  if (spec.per_edge > 0)
-  {
-    std::copy_if(facets.begin(), facets.end(), std::back_inserter(seam), [](const auto &f) { return f.bared; });
-    return seam;
-  }
   const auto             points = body_points(faces[particle_party], spec.particles);
   std::vector<Point<dim>> places;
   for (const std::uint32_t i : points)

@@ -73,6 +73,10 @@ public:
   {
     solver_.seam_forces(body, f);
   }
+  void seam_normals(int body, const std::array<std::span<double>, dim> &area) override
+  {
+    solver_.seam_normals(body, area);
+  }
   double                              seam_work() const override { return solver_.seam_work(); }
   typename ParticlePort<dim>::Lattice lattice(int body) const override
   {

@@ -64,7 +64,7 @@ bool lies_on_plane(const Surface<dim> &surface, const typename Surface<dim>::Fac
 
 template <int dim>
 std::vector<typename Surface<dim>::Facet> true_facets(const Surface<dim> &surface, int body,
-                                                      const std::vector<int> &symmetry_axes)
+                                                      const std::vector<int> &symmetry_axes, bool seams)
 {
   double extent = 0;
   for (const auto &facet : surface.facets)
@@ -74,7 +74,7 @@ std::vector<typename Surface<dim>::Facet> true_facets(const Surface<dim> &surfac
 
   std::vector<typename Surface<dim>::Facet> facets;
   for (const auto &facet : surface.facets)
-    if (facet.body == body &&
+    if (facet.body == body && facet.bared == seams &&
         std::none_of(symmetry_axes.begin(), symmetry_axes.end(), [&](int axis) {
           return axis < dim && lies_on_plane(surface, facet, axis, 1e-9 * extent);
         }))
@@ -119,7 +119,7 @@ double facet_size(const Surface<dim> &surface, const typename Surface<dim>::Face
   template std::vector<std::uint32_t>                contact_points(const Surface<dim> &, int);              \
   template std::vector<std::uint32_t>                body_points(const Surface<dim> &, int);                 \
   template std::vector<typename Surface<dim>::Facet> true_facets(const Surface<dim> &, int,                  \
-                                                                 const std::vector<int> &);                  \
+                                                                 const std::vector<int> &, bool);            \
   template Point<dim> facet_area(const Faces<dim> &, int, const Surface<dim>::Facet &);                      \
   template double facet_size(const Surface<dim> &, const Surface<dim>::Facet &);
 OGIVE_INSTANTIATE(1)

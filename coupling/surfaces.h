@@ -90,6 +90,7 @@ public:
   virtual Riders riders(int) { return {}; }
   virtual void   set_seam_hourglass(int, double) {}
   virtual void   seam_forces(int, const std::array<std::span<double>, dim> &) const {}
+  virtual void   seam_normals(int, const std::array<std::span<double>, dim> &) {}
   virtual double seam_work() const { return 0; }
   /// Distances of the layers of a body's lattice at the start, m, and how far its
   /// particles reach, m.
@@ -156,10 +157,11 @@ template <int dim>
 std::vector<std::uint32_t> body_points(const Surface<dim> &, int body);
 
 /// Facets of `body` that bound material: those that lie as a whole on one of
-/// the planes x_axis = 0 listed in `symmetry_axes` are cuts, not surface.
+/// the planes x_axis = 0 listed in `symmetry_axes` are cuts, not surface, and so
+/// are seams to particles of the body, unless it is these that are asked for.
 template <int dim>
 std::vector<typename Surface<dim>::Facet> true_facets(const Surface<dim> &, int body,
-                                                      const std::vector<int> &symmetry_axes);
+                                                      const std::vector<int> &symmetry_axes, bool seams = false);
 
 /// Outward normal of a facet times its length (2-D, m) or area (3-D, m^2); 1 in
 /// one dimension.

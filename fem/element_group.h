@@ -82,12 +82,12 @@ public:
   virtual void sample(const Nodes<dim> &, Sample &) const      = 0;
   virtual void for_each_state(const Visitor &)                 = 0;
 
-  /// What leaves with an element: lumped mass at its corners, kg; all of its
-  /// internal energy, hourglass energy included, J.
+  /// What leaves with an element: lumped mass at its corners, kg; J of energy:
+  /// internal (with what bulk viscosity heated), in hourglass patterns.
   struct Remains
   {
     std::array<double, corners> mass{};
-    double                      internal_energy = 0;
+    double                      internal_energy = 0, hourglass_energy = 0, plastic_work = 0;
   };
   /// History of a cell, the mean over its points, into entry k.
   virtual void copy_state(std::size_t cell, materials::Points &, std::size_t k) const = 0;
@@ -99,13 +99,19 @@ public:
   /// Called once before the first step: places the nodes of the grave.
   virtual void prepare_erosion(Nodes<dim> &)
   {
-    throw InputError({"", 0, "Bodies"}, "elements of this formulation cannot die", "erosion none");
+    throw InputError({"", 0, "Bodies"}, "elements of this formulation cannot leave the mesh",
+                     "erosion none and method fem, or element = one-point");
   }
   /// Adds the living that must die now: all points of an element have failed, or
   /// one of the other criteria holds. Ascending.
   virtual void find_failed(const input::Erosion &, std::vector<std::size_t> &) const {}
   /// Corner forces, stress and hourglass forces of e are zero from now on.
   virtual Remains kill(std::size_t) { return {}; }
+  /// What would leave with e.
+  virtual Remains remains(std::size_t) const { return {}; }
+  /// How near each element is to turning into particles: 1 or more where it
+  /// must, 0 for the dead (input::Conversion).
+  virtual void    measure(const input::Conversion &, std::vector<double> &of) const { of.assign(size(), 0.); }
   virtual bool    alive(std::size_t) const { return true; }
   /// Nodal forces of those who are left.
   virtual void sum_forces() {}

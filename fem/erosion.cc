@@ -34,7 +34,7 @@ Erosion<dim>::Erosion(const std::vector<BodyMesh<dim>> &meshes, const std::vecto
   {
     when_.push_back(meshes[b].erosion);
     first_element_.push_back(place[b].first_element);
-    any_ = any_ || meshes[b].erosion.on;
+    any_ = any_ || meshes[b].loses_elements();
     list_sides(meshes[b], place[b]);
   }
 }
@@ -52,14 +52,14 @@ void Erosion<dim>::list_sides(const BodyMesh<dim> &mesh, const GroupPlace &place
     side.facet.element = static_cast<std::uint32_t>(place.first_element + cell);
     side.facet.outward = outward;
     side.other         = other;
-    side.facet.bared   = other >= 0;
+    side.facet.bared   = other >= 0 && mesh.converts;
     sides_.push_back(side);
   };
   // Faces under a tie too: what a third body strikes must be closed.
   for (const auto &facet : mesh.facets)
     if (!mesh.boundary_names[facet.boundary].starts_with("symmetry"))
       add(facet.node, facet.cell, facet.outward, -1);
-  if (!mesh.erosion.on)
+  if (!mesh.loses_elements())
     return;
 
   constexpr auto local = sides_of_element<dim>();
@@ -83,12 +83,19 @@ void Erosion<dim>::list_sides(const BodyMesh<dim> &mesh, const GroupPlace &place
     }
 }
 
+// The last element takes what is left, so no rounding stays behind.
+template <int dim>
+double Erosion<dim>::release(Nodes<dim> &nodes, std::uint32_t a, double share)
+{
+  const double left = --living_[a] > 0 ? nodes.mass[a] - share : 0, m = nodes.mass[a] - left;
+  nodes.mass[a]     = left;
+  return m;
+}
+
 template <int dim>
 void Erosion<dim>::take(Nodes<dim> &nodes, std::uint32_t a, double share)
 {
-  // The last element takes what is left, so no rounding stays behind.
-  const double left = --living_[a] > 0 ? nodes.mass[a] - share : 0, m = nodes.mass[a] - left;
-  nodes.mass[a]     = left;
+  const double m = release(nodes, a, share);
   Vec3 x = Vec3::Zero(), v = Vec3::Zero();
   for (int i = 0; i < dim; ++i)
   {
@@ -126,7 +133,7 @@ bool Erosion<dim>::kill_failed(const Groups &groups, Nodes<dim> &nodes)
       const auto gone   = groups[g]->kill(e);
       for (int a = 0; a < ElementGroup<dim>::corners; ++a)
         take(nodes, corner[a], gone.mass[a]);
-      gone_[energy] += gone.internal_energy;
+      gone_[energy] += gone.internal_energy + gone.hourglass_energy;
       gone_[number] += 1;
     }
     if (!failed_.empty())
@@ -134,6 +141,18 @@ bool Erosion<dim>::kill_failed(const Groups &groups, Nodes<dim> &nodes)
     died = died || !failed_.empty();
   }
   return died;
+}
+
+template <int dim>
+auto Erosion<dim>::take_out(ElementGroup<dim> &group, std::size_t e, Nodes<dim> &nodes) ->
+  typename ElementGroup<dim>::Remains
+{
+  const auto corner = group.nodes(e);
+  auto       gone   = group.kill(e);
+  for (int a = 0; a < ElementGroup<dim>::corners; ++a)
+    gone.mass[a] = release(nodes, corner[a], gone.mass[a]);
+  gone_[converted] += 1;
+  return gone;
 }
 
 template <int dim>
@@ -158,12 +177,13 @@ void Erosion<dim>::review(const Groups &groups, Surface<dim> &face)
     if (lives(side.facet.element) && (side.other < 0 || !lives(side.other)))
     {
       face.facets.push_back(side.facet);
-      touching.insert(touching.end(), side.facet.node.begin(), side.facet.node.end());
+      if (!side.facet.bared)
+        touching.insert(touching.end(), side.facet.node.begin(), side.facet.node.end());
     }
   std::sort(touching.begin(), touching.end());
   touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
   face.contact_points = std::move(touching);
-  face.topology       = 1 + static_cast<std::uint64_t>(gone_[number]);
+  face.topology       = 1 + static_cast<std::uint64_t>(gone_[number] + gone_[converted]);
 
   living_.assign(face.n, 0);
   for (std::size_t g = 0; g < groups.size(); ++g)

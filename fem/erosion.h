@@ -12,10 +12,12 @@
 
 namespace ogive::fem
 {
-/// Elements that die: what leaves with them, and the surface that is left. A
-/// node keeps the mass of its living elements; without any it has none and
-/// takes no part. What has left flies on freely, so its momentum and angular
-/// momentum about the origin stay as they were.
+/// Elements that leave the mesh: what leaves with them, and the surface that is
+/// left. A node keeps the mass of its living elements; without any it has none
+/// and takes no part. What has died flies on freely, so its momentum and angular
+/// momentum about the origin stay as they were. What has turned into particles
+/// is booked by whoever made them; the faces that it leaves are a seam, not a
+/// surface.
 template <int dim>
 class Erosion
 {
@@ -29,11 +31,17 @@ public:
   bool any() const { return any_; }
   /// Kills what has failed. True if anything died.
   bool kill_failed(const Groups &, Nodes<dim> &);
+  /// Takes out an element that turns into particles, with what the caller has to
+  /// place: masses as they left the nodes. ElementGroup::sum_forces and review()
+  /// are due after the last one.
+  typename ElementGroup<dim>::Remains take_out(ElementGroup<dim> &, std::size_t e, Nodes<dim> &);
+  std::size_t converted_elements() const { return static_cast<std::size_t>(gone_[converted]); }
   /// After the state has changed: who lives, and the facets of the living.
   void review(const Groups &, Surface<dim> &face);
 
   void add(Balance &) const;
-  /// Mass, energy, number, momentum and angular momentum of the dead.
+  /// Mass, energy, number, momentum and angular momentum of the dead; how many
+  /// have turned into particles.
   AlignedVector<double> &state() { return gone_; }
 
 private:
@@ -44,7 +52,8 @@ private:
     number,
     momentum,
     angular = momentum + 3,
-    entries = angular + 3
+    converted = angular + 3,
+    entries
   };
   /// A side of an element, the element at its other side (-1: none).
   struct Side
@@ -54,7 +63,8 @@ private:
   };
 
   void list_sides(const BodyMesh<dim> &, const GroupPlace &);
-  void take(Nodes<dim> &, std::uint32_t node, double mass);
+  void   take(Nodes<dim> &, std::uint32_t node, double mass);
+  double release(Nodes<dim> &, std::uint32_t node, double share); ///< mass that leaves, kg
 
   std::vector<input::Erosion> when_;          ///< one a group
   std::vector<std::size_t>    first_element_; ///< one a group

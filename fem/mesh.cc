@@ -233,6 +233,8 @@ BodyMesh<dim> make_mesh(const input::Body &body, const input::Scene &scene, int 
   mesh.body         = body_index;
   mesh.material     = std::move(material);
   mesh.erosion      = body.erosion;
+  mesh.converts     = body.method == input::Method::automatic;
+  mesh.conversion   = body.conversion;
   mesh.axisymmetric = scene.dimension == input::Dimension::axisymmetric;
 
   Triangulation<dim> triangulation(Triangulation<dim>::limit_level_difference_at_vertices);

@@ -51,6 +51,8 @@ struct BodyMesh
   int                                        body = -1; ///< index into the scene's bodies
   std::shared_ptr<const materials::Material> material;
   input::Erosion                             erosion;
+  bool                                       converts = false; ///< its elements may turn into particles,
+  input::Conversion                          conversion;       ///< by this
   bool                                       axisymmetric = false; ///< dim 2: x = r, y = axis
   std::array<std::vector<double>, dim>       x;  ///< m
   std::array<std::vector<double>, dim>       v;  ///< initial velocity, m/s
@@ -70,6 +72,7 @@ struct BodyMesh
   /// Whether the facets of boundary b are what a scene calls `face`.
   bool is_called(int b, const std::string &face) const;
 
+  bool loses_elements() const { return erosion.on || converts; }
   std::size_t n_nodes() const { return x[0].size(); }
   std::size_t n_cells() const { return cells.size() / corners; }
   std::size_t n_elements() const

@@ -6,8 +6,9 @@
 #include "fem/one_point_group.h"
 
 #include <algorithm>
+#include <cmath>
 
-/// Death of one-point elements.
+/// One-point elements that leave the mesh: death, and before it turns into particles.
 namespace ogive::fem
 {
 template <class Element>
@@ -32,12 +33,41 @@ void OnePointGroup<Element>::find_failed(const input::Erosion &when, std::vector
 }
 
 template <class Element>
+void OnePointGroup<Element>::measure(const input::Conversion &when, std::vector<double> &of) const
+{
+  of.assign(n_, 0.);
+  const double rest = material_->density();
+  for (std::size_t e = 0; e < n_; ++e)
+  {
+    if (!alive(e))
+      continue;
+    if (when.strain > 0)
+      of[e] = std::max(of[e], points_.plastic_strain[e] / when.strain);
+    if (when.damage > 0)
+      of[e] = std::max(of[e], points_.damage[e] / when.damage);
+    if (when.volume > 0)
+      of[e] = std::max(of[e], std::abs(std::log(points_.density[e] / rest)) / when.volume);
+    if (by_step_)
+      of[e] = std::max(of[e], .5 * bound_[e] * when.step);
+  }
+}
+
+template <class Element>
+auto OnePointGroup<Element>::remains(std::size_t e) const -> Remains
+{
+  Remains r;
+  for (int a = 0; a < corners; ++a)
+    r.mass[a] = Element::hoop ? corner_mass_[slot(e, a, corners)] : (inertia_.empty() ? mass_ : inertia_)[e] / corners;
+  r.internal_energy  = mass_[e] * points_.energy[e];
+  r.hourglass_energy = hourglass_energy_[e];
+  r.plastic_work     = mass_[e] * points_.plastic_work[e];
+  return r;
+}
+
+template <class Element>
 auto OnePointGroup<Element>::kill(std::size_t e) -> Remains
 {
-  Remains gone;
-  for (int a = 0; a < corners; ++a)
-    gone.mass[a] = Element::hoop ? corner_mass_[slot(e, a, corners)] : (inertia_.empty() ? mass_ : inertia_)[e] / corners;
-  gone.internal_energy = mass_[e] * points_.energy[e] + hourglass_energy_[e];
+  const Remains gone = remains(e);
 
   // The last pack is filled up with copies of the last element.
   for (std::size_t k = e; k < (e + 1 == n_ ? padded_n_ : e + 1); ++k)

@@ -118,7 +118,9 @@ void OnePointGroup<Element>::book_energy(std::size_t pack, VDouble work, VDouble
   VDouble q = load(&viscous_pressure_[e]);
   if (corrected_)
     q -= load(&weak_pressure_[e]);
-  const VDouble heat = load(&half_viscous_[e]) - .5 * q * motion.trace * shape.volume + correction;
+  VDouble heat = load(&half_viscous_[e]) - .5 * q * motion.trace * shape.volume + correction;
+  if (!damping_share_.empty())
+    heat += half_damping(pack, motion) * shape.volume;
   store(load(&hourglass_energy_[e]) + patterns, &hourglass_energy_[e]);
   store(load(&viscous_heat_[e]) + heat, &viscous_heat_[e]);
   store(load(&points_.energy[e]) + (work - patterns) / load(&mass_[e]), &points_.energy[e]);
@@ -320,6 +322,7 @@ void OnePointGroup<Element>::stress(std::size_t pack, const Shape &shape, const 
   if (!damping_share_.empty())
   {
     const VDouble share = add_damping(pack, length, motion, sigma);
+    store(load(&half_viscous_[e]) + half_damping(pack, motion) * shape.volume, &half_viscous_[e]);
     damping += share * shape.volume * (stdx::max(stiffness, VDouble(0.)) * weight.divergence + 2. * shear * weight.largest);
   }
   for (int k = 0; k < 6; ++k)
@@ -347,38 +350,6 @@ void OnePointGroup<Element>::stress(std::size_t pack, const Shape &shape, const 
       if (bound[lane] == largest)
         limit_[1] = static_cast<double>(std::min(e + lane, n_ - 1));
   }
-}
-
-/// Adds the viscous stress of damp(); returns its share of stiffness, s. Its heat
-/// is part of the internal energy, and no column of its own has it.
-template <class Element>
-VDouble OnePointGroup<Element>::add_damping(std::size_t pack, const VDouble &length, const Motion &motion,
-                                            VDouble (&sigma)[6])
-{
-  const std::size_t e       = pack * width;
-  const VDouble     density = load(&points_.density[e]), c = load(&points_.sound_speed[e]);
-  const VDouble     share   = load(&damping_share_[e]) * length / c;
-  const double      shear   = shear_modulus_;
-  const VDouble     lame    = density * c * c - 2. * shear;
-  const VDouble     trace   = motion.dual[0] + motion.dual[1] + motion.dual[2];
-  for (int k = 0; k < 6; ++k)
-  {
-    const VDouble viscous = share * (k < 3 ? VDouble(lame * trace + 2. * shear * motion.dual[k]) : VDouble(shear * motion.dual[k]));
-    store(viscous, &damping_stress_[k][e]);
-    sigma[k] += viscous;
-  }
-  return share;
-}
-
-template <class Element>
-void OnePointGroup<Element>::damp(std::span<const std::size_t> elements, double share)
-{
-  damping_share_.assign(elements.empty() ? 0 : padded_n_, 0.);
-  for (auto &component : damping_stress_)
-    component.assign(damping_share_.size(), 0.);
-  for (const std::size_t e : elements)
-    for (std::size_t k = e; k < (e + 1 == n_ ? padded_n_ : e + 1); ++k)
-      damping_share_[k] = share;
 }
 
 template class OnePointGroup<Line2>;

@@ -44,6 +44,8 @@ public:
   void    prepare_erosion(Nodes<dim> &) override;
   void    find_failed(const input::Erosion &, std::vector<std::size_t> &) const override;
   Remains kill(std::size_t e) override;
+  void    measure(const input::Conversion &, std::vector<double> &) const override;
+  Remains remains(std::size_t e) const override;
   bool    alive(std::size_t e) const override { return alive_.empty() || alive_[e] > 0; }
   void    sum_forces() override;
   void    rebury() override;
@@ -92,6 +94,8 @@ private:
   void bury(std::size_t e);
 
   VDouble add_damping(std::size_t pack, const VDouble &length, const Motion &, VDouble (&sigma)[6]);
+  void    prepare_damping();
+  VDouble half_damping(std::size_t pack, const Motion &) const;
 
   // one_point_correction.cc
   VDouble weak_share(const VDouble &length, const VDouble &rate, const VDouble &sound_speed) const;
@@ -139,7 +143,7 @@ private:
   // A dead element is a virgin one that rests at nodes of its own: the loops
   // over packs need no branch and no mask.
   std::size_t                grave_, model_ = 0; ///< its first node; the element whose shape it has
-  bool                       by_step_; ///< elements may die by their bound of the step
+  bool                       by_step_; ///< elements may leave by their bound of the step
   std::vector<std::uint32_t> own_;     ///< node_ while all live; empty where none can die
   AlignedVector<double>      alive_;   ///< 1 or 0, empty where none can die
   AlignedVector<double>      bound_;   ///< 2/dt of each element, 1/s; where by_step_

@@ -183,6 +183,11 @@ void OnePointGroup<Element>::for_each_state(const Visitor &visit)
   visit("hourglass_energy", hourglass_energy_);
   visit("viscous_heat", viscous_heat_);
   visit("limit", limit_);
+  static constexpr const char *component[6] = {"xx", "yy", "zz", "xy", "yz", "zx"};
+  if (!damping_share_.empty())
+    visit("damping_share", damping_share_);
+  for (int c = 0; c < 6 && !damping_share_.empty(); ++c)
+    visit(std::string("damping_stress_") + component[c], damping_stress_[c]);
   if (!alive_.empty())
   {
     visit("alive", alive_);

@@ -30,7 +30,7 @@ OnePointGroup<Element>::OnePointGroup(const BodyMesh<dim> &mesh, const GroupPlac
   // patterns without stiffening the volume response.
   , hourglass_modulus_(shear_modulus_ > 0 ? shear_modulus_ : .1 * mesh.material->bulk_modulus())
   , grave_(place.grave)
-  , by_step_(mesh.erosion.on && mesh.erosion.step > 0)
+  , by_step_((mesh.erosion.on && mesh.erosion.step > 0) || (mesh.converts && mesh.conversion.step > 0))
 {
   require(n_ > 0, "a body without elements");
   node_.resize(padded_n_ * corners);
@@ -75,6 +75,8 @@ OnePointGroup<Element>::OnePointGroup(const BodyMesh<dim> &mesh, const GroupPlac
       component.resize(corrected_ ? mesh.n_nodes() : 0, 0.);
   weak_pressure_.resize(corrected_ ? padded_n_ : 0, 0.);
   half_correction_.resize(corrected_ ? padded_n_ : 0, 0.);
+  if (mesh.converts) // a seam will come
+    prepare_damping();
   find_rows();
 }
 

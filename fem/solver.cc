@@ -38,7 +38,7 @@ void Solver<dim>::Implementation::build(std::vector<BodyMesh<dim>> meshes)
   for (std::size_t b = 0; b < meshes.size(); ++b)
   {
     place.push_back({first_node[b], parts[b].first_element, n_all});
-    n_all += meshes[b].erosion.on ? ElementGroup<dim>::corners : 0;
+    n_all += meshes[b].loses_elements() ? ElementGroup<dim>::corners : 0;
   }
   nodes.resize(n_all);
   std::fill(nodes.body.begin() + static_cast<std::ptrdiff_t>(n_nodes), nodes.body.end(), -1);
@@ -71,7 +71,7 @@ void Solver<dim>::Implementation::build(std::vector<BodyMesh<dim>> meshes)
         mass += nodes.mass[a];
       added_masses.push_back({mesh.body, added, added / (mass - added)});
     }
-    if (mesh.erosion.on)
+    if (mesh.loses_elements())
       groups.back()->prepare_erosion(nodes);
   }
   for (std::size_t a = 0; a < n_nodes; ++a)
@@ -95,14 +95,14 @@ void Solver<dim>::Implementation::build(std::vector<BodyMesh<dim>> meshes)
     sharpening[0] = std::max(1., find_critical(1e-6, 5000).dt / element_limit().dt);
 }
 
-// Nodes of eroding bodies may come to the surface.
+// Nodes of bodies that lose elements may come to the surface.
 template <int dim>
 std::vector<std::uint32_t>
 Solver<dim>::Implementation::wall_nodes(const std::vector<BodyMesh<dim>> &meshes) const
 {
   std::vector<std::uint32_t> touching = face.contact_points;
   for (std::size_t b = 0; b < meshes.size(); ++b)
-    for (std::size_t a = parts[b].first_node; meshes[b].erosion.on && a < parts[b].last_node; ++a)
+    for (std::size_t a = parts[b].first_node; meshes[b].loses_elements() && a < parts[b].last_node; ++a)
       touching.push_back(static_cast<std::uint32_t>(a));
   // Slaves stop where their masters do.
   std::erase_if(touching, [this](std::uint32_t a) { return constraints.is_slave(a); });

@@ -9,12 +9,14 @@
 #include "core/io/archive.h"
 #include "core/materials/material.h"
 #include "core/time/time_step.h"
+#include "fem/departure.h"
 
 #include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ogive::fem
@@ -112,6 +114,21 @@ public:
   void damp(int body, std::span<const std::uint32_t> elements, double share);
 
   const std::vector<TieReport> &ties() const;
+
+  // Elements that turn into particles (departure.cc), of bodies with method auto.
+  // Elements are counted over all bodies, as in Surface::Facet.
+
+  /// First and past the last element of a body of elements; none: {0, 0}.
+  std::pair<std::uint32_t, std::uint32_t> elements_of(int body) const;
+  /// How near each element of the body is to it: 1 or more where it must, 0
+  /// where it has.
+  std::vector<double> conversion_measures(int body, const input::Conversion &) const;
+  bool                alive(std::uint32_t element) const;
+  Departure<dim>      look(std::uint32_t element) const; ///< what would leave
+  /// Takes elements out between two steps, with the mass, momentum and energy
+  /// that are returned. Nodes keep their velocities.
+  std::vector<Departure<dim>> take_out(std::span<const std::uint32_t> elements);
+  std::size_t                 converted_elements() const;
 
   /// Normal force sum that rigid wall `w` gave in the last step, N (into the material).
   double wall_force(std::size_t w) const;

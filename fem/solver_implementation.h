@@ -46,6 +46,12 @@ struct Solver<dim>::Implementation
   AlignedVector<double>                           sharpening{1., 0.};
   std::vector<AlignedVector<double>>              mark;        ///< the snapshot
 
+  /// An element among its group.
+  struct Place
+  {
+    std::size_t group, element;
+  };
+  Place      find(std::uint32_t element) const;
   void       build(std::vector<BodyMesh<dim>>);
   std::vector<std::uint32_t> wall_nodes(const std::vector<BodyMesh<dim>> &) const;
   void       review_erosion();

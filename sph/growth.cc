@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/base/error.h"
+#include "sph/corrector.h"
 #include "sph/implementation.h"
 
 #include <algorithm>
@@ -257,6 +258,49 @@ void Solver<dim>::seam_forces(int body_index, const std::array<std::span<double>
 }
 
 template <int dim>
+void Solver<dim>::seam_normals(int body_index, const std::array<std::span<double>, dim> &area)
+{
+  self_->unit_seam(self_->body_of(body_index), area);
+}
+
+/// A force sweep over the pairs with riders of records that hold B for sigma B.
+template <int dim>
+void Solver<dim>::Implementation::unit_seam(const Body &body, const std::array<std::span<double>, dim> &area)
+{
+  if (body.first_rider == body.last_rider)
+    return;
+  const AlignedVector<double> kept = force_records, kept_pairs = seam().pairs.hourglass;
+  const auto                  pack = [&](const Body &b, std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i)
+    {
+      double *record   = &force_records[i * L::force_stride];
+      Matrix  b_matrix = Matrix::Identity();
+      if (!standard)
+        corrector<dim>(moment(i), b_matrix);
+      b_matrix *= ring(i) * axis_share(b, i);
+      if (standard)
+        b_matrix /= ring(i) * ring(i) * store.points.density[i] * store.points.density[i];
+      record[L::sound] = 0;
+      for (int a = 0; a < dim; ++a)
+        for (int c = 0; c < dim; ++c)
+          record[L::p + a * dim + c] = b_matrix(a, c);
+    }
+  };
+  pack(body, body.first, body.last);
+  pack(body, body.first_rider, body.last_rider);
+  reflect_forces();
+  for (std::size_t g = 0; g < ghosts.size(); ++g)
+    force_records[(store.size() + g) * L::force_stride + L::sound] = 0;
+  AlignedVector<double> sums(store.size() * L::forces_stride, 0.);
+  body.sweeps.force(sweep_of(body, seam().pairs, sums.data()));
+  for (int a = 0; a < dim; ++a)
+    for (std::size_t i = body.first; i < body.last; ++i)
+      area[a][i] = seam_pairs(body, i) ? sums[i * L::forces_stride + L::f_sum + a] : 0.;
+  force_records          = kept;
+  seam().pairs.hourglass = kept_pairs;
+}
+
+template <int dim>
 double Solver<dim>::seam_work() const
 {
   return self_->works.seam;
@@ -351,6 +395,7 @@ void Solver<dim>::Implementation::take_rider_states()
   template void                      Solver<d>::set_riders(const Newcomers<d> &);                            \
   template Solver<d>::Riders         Solver<d>::riders(int);                                                 \
   template void   Solver<d>::seam_forces(int, const std::array<std::span<double>, d> &) const;               \
+  template void Solver<d>::seam_normals(int, const std::array<std::span<double>, d> &);                      \
   template double Solver<d>::seam_work() const;
 OGIVE_INSTANTIATE(1)
 OGIVE_INSTANTIATE(2)

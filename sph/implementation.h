@@ -143,6 +143,7 @@ struct Solver<dim>::Implementation
   void   prepare_riders(Body &);
   void   kick_riders();
   void   take_rider_states();
+  void   unit_seam(const Body &, const std::array<std::span<double>, dim> &area);
   /// Power of the pairs with riders in the sums of the last energy sweep, and,
   /// where asked, of their forces on the particles, W.
   double power_at_seam(bool with_forces) const;

@@ -122,6 +122,10 @@ public:
   std::array<double, dim> cell(int body) const;
   /// How far two particles of the body may stand apart and be listed as a pair, m.
   double reach(int body) const;
+  /// What seam_forces() would be under a unit stress everywhere and without
+  /// viscosity, m^2 (m in plane strain, 1 in one dimension): the share of the
+  /// seam's area that each particle sees, along the normal into the riders.
+  void seam_normals(int body, const std::array<std::span<double>, dim> &area);
   /// Energy that the riders have given the particles so far, J: work on their
   /// motion and what stress and viscosity of the pairs with riders heat them.
   double seam_work() const;

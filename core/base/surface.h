@@ -46,7 +46,7 @@ struct Surface
     int                                  body    = -1;
     std::uint32_t                        element = 0; ///< the element behind it
     double                               outward = 1; ///< 1-D: sign of the outward normal
-    bool                                 bared   = false; ///< came to light as the element beyond it left
+    bool                                 bared   = false; ///< a seam: the element beyond it turned into particles
   };
   std::vector<Facet> facets; ///< empty for particles
   /// Changes whenever the lists above or the order of the points change.

@@ -4,6 +4,7 @@
 #include "core/input/wave_field.h"
 
 #include <cmath>
+#include <utility>
 
 namespace ogive::input
 {
@@ -120,6 +121,46 @@ void check_erosion(const Scene &s, const Body &b, const Listing &listing)
       refuse("the boundary \"" + boundary.name + "\" does not let go of the faces of dead elements",
              "erosion none, or no pressure and no dashpots on the body");
 }
+
+/// What turns into particles must be able to.
+void check_conversion(const Scene &s, const Body &b, const Listing &listing)
+{
+  if (b.method != Method::automatic)
+    return;
+  const auto refuse = [&](const char *entry, const std::string &wrong, const std::string &expected)
+  { throw InputError(listing.where("Bodies/" + b.name, entry), wrong, expected); };
+  const std::string &element = b.element.empty() ? s.fem.element : b.element;
+  if (element != "one-point" && s.dimension != Dimension::uniaxial)
+    refuse("element", "only one-point elements turn into particles, and those of the body are \"" + element + "\"",
+           "element = one-point");
+  if (b.coarsen > 0)
+    refuse("coarsen", "elements around hanging nodes do not turn into particles",
+           "method fem, or a mesh without coarsening (spacing far grades a disc without hanging nodes)");
+  if (s.fem.correction != "none")
+    refuse("method", "the correction of the elements' viscosity does not let go of elements",
+           "method fem, or FEM/correction = none");
+  if (s.fem.mass_scaling_step > 0)
+    refuse("method", "mass that was added for the sake of the step cannot go over to particles",
+           "method fem, or no FEM/mass scaling step");
+  if (s.sph.configuration == "reference")
+    refuse("method", "particles that come in later have no place in a reference configuration",
+           "SPH/configuration = current");
+  for (const auto &[entry, value] : {std::pair{"particles per edge", b.conversion.per_edge},
+                                     std::pair{"conversion layers", b.conversion.layers}})
+    if (value != std::floor(value))
+      refuse(entry, units::format_number(value) + " is not a whole number", "a whole number, such as 2");
+  for (const Interface &i : s.interfaces)
+    if (i.slave == b.name || i.master == b.name || i.mesh == b.name || i.particles == b.name)
+      refuse("method", "the interface \"" + i.name + "\" joins the body to another, and does not let go of elements",
+             "method fem or sph, or no such interface");
+  for (const Boundary &boundary : s.boundaries)
+    if (boundary.body == b.name && boundary.kind == BoundaryKind::body_force)
+      refuse("method", "the body force \"" + boundary.name + "\" knows no particles", "method fem, or no body force");
+  for (const Body &other : s.bodies)
+    if (other.name == b.name + "-particles")
+      throw InputError(listing.where("Bodies/" + other.name, "method"),
+                       "results call the particles of \"" + b.name + "\" by this name", "another name");
+}
 } // namespace
 
 void check_start(const Scene &s, const Listing &listing)
@@ -129,6 +170,7 @@ void check_start(const Scene &s, const Listing &listing)
     check_field(s, b, listing);
     check_state(s, b, listing);
     check_erosion(s, b, listing);
+    check_conversion(s, b, listing);
   }
 }
 } // namespace ogive::input

@@ -117,6 +117,11 @@ constexpr std::array quantities{
   ObservedQuantity{"fracture_strain", units::none, true, true, units::length,
                    "growth along the direction over the parameter, the gauge length, when the mean stress along it first "
                    "falls below a tenth of the greatest so far"},
+  ObservedQuantity{"crater_diameter", units::length, true, true, units::velocity,
+                   "diameter about the line through the point of the hole in what is slower than the parameter, within "
+                   "the body's first thickness along the direction"},
+  ObservedQuantity{"cloud_shape", units::none, true, true, units::velocity,
+                   "length over width of what has passed the point along the direction faster than the parameter"},
 };
 } // namespace
 

@@ -211,7 +211,8 @@ void FieldWriter::write(double time, std::span<const FieldBlock> blocks)
                       number_text(time) + "\"/>\n";
   for (std::size_t i = 0; i < blocks.size(); ++i)
     if (blocks[i].n_points() > 0)
-      entry += block_entry(file, group + "/" + link_name(blocks[i].name), blocks[i], i);
+      entry += block_entry(file, group + "/" + link_name(blocks[i].name), blocks[i],
+                           blocks[i].body < 0 ? i : static_cast<std::size_t>(blocks[i].body));
   entry += "</Grid>\n";
   file.write_text(group + entry_name, entry);
   file.close();

@@ -36,6 +36,7 @@ struct Field
 struct FieldBlock
 {
   std::string                name;
+  int                        body = -1; ///< its field "body"; -1: the block's place among those written
   std::vector<double>        points; ///< n x 3, m
   CellType                   cell_type = CellType::vertex;
   std::vector<std::uint32_t> connectivity; ///< nodes of each cell, VTK order; empty for vertices
@@ -66,8 +67,8 @@ public:
   /// later ones are dropped. Throws InputError if there are fewer.
   static FieldWriter resume(const std::string &directory, std::size_t n_times);
 
-  /// Blocks without points are left out; the others get a field "body", their
-  /// index in `blocks`. `time` in s.
+  /// Blocks without points are left out; the others get a field "body", unless
+  /// they name it their index in `blocks`. `time` in s.
   void write(double time, std::span<const FieldBlock> blocks);
 
   /// Times written so far; a checkpoint keeps it for resume().

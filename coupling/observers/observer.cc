@@ -5,6 +5,7 @@
 #include "coupling/observers/bending.h"
 #include "coupling/observers/cavity.h"
 #include "coupling/observers/collapse.h"
+#include "coupling/observers/crater.h"
 #include "coupling/observers/heat.h"
 #include "coupling/observers/modes.h"
 #include "coupling/observers/motion.h"
@@ -98,6 +99,8 @@ constexpr std::array makers = {
   Maker{"viscosity_to_plastic_work", make<ViscosityToPlasticWork>},
   Maker{"patch_error", make<PatchError>},
   Maker{"fracture_strain", make<FractureStrain>},
+  Maker{"crater_diameter", make<CraterDiameter>},
+  Maker{"cloud_shape", make<CloudShape>},
 };
 } // namespace
 

@@ -43,6 +43,11 @@ void for_each_pair(const Sample &s, double reach, F &&f)
       }
 }
 
+bool has_particles(const Sample &s)
+{
+  return std::any_of(s.radius.begin(), s.radius.end(), [](double r) { return r > 0; });
+}
+
 /// Least distance of two nodes of one cell over that at the start.
 double least_stretch(const Sample &s)
 {
@@ -94,7 +99,7 @@ double Fragments::measure(const Sample &s, double)
   if (s.is_mesh)
     for (std::size_t k = 0; k < s.cells.size(); ++k)
       sets.join(s.cells[k], s.cells[k - k % s.nodes_per_cell]);
-  else
+  if (has_particles(s))
     for_each_pair(s, 1.75, [&](std::size_t i, std::size_t j, double) { sets.join(i, j); });
   return static_cast<double>(sets.count());
 }
@@ -103,8 +108,9 @@ double SmallestDistance::measure(const Sample &s, double)
 {
   double least = std::isnan(value()) ? std::numeric_limits<double>::infinity() : value();
   if (s.is_mesh)
-    return std::min(least, least_stretch(s));
-  for_each_pair(s, 2, [&](std::size_t, std::size_t, double distance) { least = std::min(least, distance); });
+    least = std::min(least, least_stretch(s));
+  if (has_particles(s))
+    for_each_pair(s, 2, [&](std::size_t, std::size_t, double distance) { least = std::min(least, distance); });
   return least;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "coupling/coupler.h"
+#include "coupling/contact.h"
 #include "hand_made.h"
 
 #include <gtest/gtest.h>
@@ -10,32 +10,6 @@ namespace ogive::coupling
 namespace
 {
 constexpr double dt = 3e-7, radius = .5e-3;
-
-struct Mesh : MeshPort<2>
-{
-  hand_made::Arrays<2> &arrays;
-  explicit Mesh(hand_made::Arrays<2> &a) : arrays(a) {}
-  Surface<2> surface() override { return arrays.surface(); }
-  StepLimit  stable_dt() const override { return {dt, {}}; }
-  void       add_mass(std::uint32_t, double) override {}
-  bool       embed(std::uint32_t, const std::array<double, 2> &, double, Embedding<2> &) const override { return false; }
-};
-
-struct Particles : ParticlePort<2>
-{
-  hand_made::World<2> &world;
-  explicit Particles(hand_made::World<2> &w) : world(w) {}
-  Surface<2> surface() override { return world.particles.surface(); }
-  StepLimit  stable_dt() const override { return {dt, {}}; }
-  void       set_slaves(std::span<const std::int64_t>) override {}
-  void       drive_slaves(const std::array<std::span<const double>, 2> &) override {}
-  void       slave_forces(const std::array<std::span<double>, 2> &) const override {}
-  std::span<const std::uint32_t> index_of_id() const override
-  {
-    world.look();
-    return world.index_of_id;
-  }
-};
 
 /// A flat side of `body`, 20 mm long, facing up (or down) at the height y.
 void add_side(hand_made::Arrays<2> &mesh, double y, bool up, int body)
@@ -62,33 +36,26 @@ TEST(Parties, OfABodyThatConvertsBothTouch)
   add_side(world.mesh, 0, true, 0);
   add_side(world.mesh, 1e-3, false, 1);
   const std::size_t anvil = 5, all = 10;
-  input::Scene      scene;
-  scene.bodies.resize(2);
-  scene.bodies[0].name   = "anvil";
-  scene.bodies[1].name   = "plate";
-  scene.bodies[1].method = input::Method::automatic;
-  scene.contacts.push_back({"touch", "anvil", "plate", 0, .1});
-  Coupler<2> coupler(scene, std::make_unique<Mesh>(world.mesh), std::make_unique<Particles>(world));
-  const auto step = [&] {
-    coupler.gather();
-    world.mesh.kick_and_drift(dt, {0, 0});
-    world.particles.kick_and_drift(dt, {0, 0});
-    coupler.close({world.time, dt, dt});
-    world.time += dt;
-  };
+  ContactSpec       spec{"touch", 0, 1, mesh_party, mesh_party, 0, .1};
+  spec.second_radius  = radius;
+  ContactSpec with    = spec;
+  with.second_party   = particle_party;
+  ContactSet<2> contacts({spec, with}, {}, dt, .9);
+  contacts.start(world.look());
+  const auto step = [&] { world.step(contacts, dt); };
   for (int n = 0; n < 5; ++n)
     step();
-  EXPECT_EQ(coupler.active_contacts(), 0u);
+  EXPECT_EQ(contacts.active(), 0u);
 
   // Two particles within the plate's own elements, that fly at the anvil.
   for (const double x : {-.004, .0037})
     world.particles.add({x, 1.2e-3}, {0, -30}, 1e-3, 1, radius);
   ++world.particles.topology;
   std::size_t most = 0;
-  while (world.time < 1e-4 && (most == 0 || coupler.active_contacts() > 0))
+  while (world.time < 1e-4 && (most == 0 || contacts.active() > 0))
   {
     step();
-    most = std::max(most, coupler.active_contacts());
+    most = std::max(most, contacts.active());
   }
   EXPECT_EQ(most, 2u);
   EXPECT_NEAR(world.particles.v[1].front(), 30, 3); // the anvil's nodes are twenty times heavier
@@ -103,7 +70,7 @@ TEST(Parties, OfABodyThatConvertsBothTouch)
   for (int n = 0; n < 100; ++n)
   {
     step();
-    most = std::max(most, coupler.active_contacts());
+    most = std::max(most, contacts.active());
   }
   EXPECT_GE(most, 5u);
   for (std::size_t i = anvil; i < all; ++i)

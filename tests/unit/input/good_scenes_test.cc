@@ -129,13 +129,15 @@ TEST(GoodScenes, HoldLoadsTiesAndCoarsening)
 // One body twice: it meets itself. Overlaps are at rest unless it is said.
 TEST(GoodScenes, LetABodyMeetItself)
 {
-  const auto text = replaced(base_scene, "set between = projectile, zone",
-                             "set between = projectile, projectile\n    set overlap = refuse");
+  auto text = replaced(base_scene, "set contacts = strike", "set contacts = strike, itself");
+  text      = replaced(text, "subsection Contacts\n",
+                       "subsection Contacts\n  subsection itself\n    set between = zone, zone\n    set overlap = refuse\n  end\n");
   const Scene s = read_scene(write_file("itself.prm", text));
-  EXPECT_EQ(s.contacts[0].first, "projectile");
-  EXPECT_EQ(s.contacts[0].second, "projectile");
-  EXPECT_EQ(s.contacts[0].overlap, "refuse");
-  EXPECT_EQ(read_scene(write_file("base.prm", base_scene)).contacts[0].overlap, "rest");
+  ASSERT_EQ(s.contacts.size(), 2u);
+  EXPECT_EQ(s.contacts[0].overlap, "rest");
+  EXPECT_EQ(s.contacts[1].first, "zone");
+  EXPECT_EQ(s.contacts[1].second, "zone");
+  EXPECT_EQ(s.contacts[1].overlap, "refuse");
 }
 
 TEST(GoodScenes, AreNamedAfterTheirFolderOrFile)
