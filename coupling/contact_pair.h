@@ -22,7 +22,6 @@ struct ContactSpec
   int         first = 0, second = 0; ///< index into Scene::bodies
   Party       first_party  = mesh_party;
   Party       second_party = mesh_party;
-  double      first_radius = 0, second_radius = 0; ///< of particles that may come later, m
   double      friction  = 0;  ///< Coulomb coefficient
   double      stiffness = .1; ///< share of m_eff/dt^2, <= .1
   std::string overlap   = "rest"; ///< at the start, as in a scene: rest, heal or refuse
@@ -30,6 +29,7 @@ struct ContactSpec
   /// solver joins them, m, by their places of t = 0 or of now.
   double      joined_within   = 0;
   bool        joined_at_start = false;
+  double      first_radius = 0, second_radius = 0; ///< of particles that may come later, m
 
   bool meets_itself() const { return first == second && first_party == second_party; }
 };
