@@ -87,13 +87,15 @@ void certify_seams(const input::Scene &scene, const CheckArguments &a)
       throw InputError((directory / name).string() + ": exists already; give another directory with -o, or --force");
   std::vector<io::Summary::Certificate> certificates;
   for (const coupling::CertifiedSeam &seam : seams)
-  {
-    auto wavelengths = coupling::certificate_wavelengths(seam);
-    if (std::find(wavelengths.begin(), wavelengths.end(), seam.wavelength) == wavelengths.end())
-      wavelengths.push_back(seam.wavelength);
-    certificates.push_back(coupling::certify(seam, wavelengths));
-    print_certificate(certificates.back());
-  }
+    try
+    {
+      certificates.push_back(coupling::certify(seam, coupling::certificate_wavelengths(seam)));
+      print_certificate(certificates.back());
+    }
+    catch (const InputError &e)
+    {
+      input::rethrow_in_scene(a.scene, e);
+    }
   fs::create_directories(directory);
   io::write_whole((directory / "certificate.csv").string(), certificate_csv(certificates));
   io::write_whole((directory / "certificate.svg").string(), certificate_svg(scene.title, certificates));
@@ -152,16 +154,7 @@ void check(const CheckArguments &a)
               engineering(scene.end_time).c_str(), plan.steps, plan.steps * plan.seconds_per_step,
               engineering(plan.seconds_per_step).c_str());
   std::printf("  memory     %.1f MiB\n", plan.memory_bytes / (1024. * 1024.));
-  try
-  {
-    if (a.certificate)
-      certify_seams(scene, a);
-  }
-  catch (const InputError &e)
-  {
-    if (e.where().entry.empty())
-      throw;
-    input::rethrow_in_scene(a.scene, e);
-  }
+  if (a.certificate)
+    certify_seams(scene, a);
 }
 } // namespace ogive::apps

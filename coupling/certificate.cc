@@ -118,6 +118,9 @@ std::vector<double> certificate_wavelengths(const CertifiedSeam &seam)
   std::vector<double> all;
   for (const double n : {8, 12, 16, 24, 32, 48, 64})
     all.push_back(n * std::min(seam.spec.side[0].size, seam.spec.side[1].size));
+  if (std::find(all.begin(), all.end(), seam.wavelength) == all.end())
+    all.push_back(seam.wavelength);
+  std::sort(all.begin(), all.end());
   return all;
 }
 

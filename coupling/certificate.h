@@ -28,7 +28,7 @@ std::vector<CertifiedSeam> seams_of(const input::Scene &);
 io::Summary::Certificate certify(const CertifiedSeam &, const std::vector<double> &wavelengths);
 
 /// Wavelengths of the whole certificate, m: 8, 12, 16, 24, 32, 48 and 64 of the
-/// smaller of the two sizes.
+/// smaller of the two sizes, and the one that the limit speaks of.
 std::vector<double> certificate_wavelengths(const CertifiedSeam &);
 
 /// Before a run: each seam whose interface says "check" or "warn" at its own

@@ -139,20 +139,20 @@ template <int dim>
 Model<dim>::Model(const input::Scene &scene, const Setup &setup)
   : n_walls_(scene.walls.size())
 {
-  build(scene, {});
+  build(scene, setup, {});
   if (const auto moves = coupler_->moves(); !moves.empty())
   {
     const auto healed = coupler_->healed();
     coupler_.reset();
     mesh_notes_.clear();
     contact_bodies_.clear();
-    build(scene, moves);
+    build(scene, setup, moves);
     coupler_->report_healed(healed);
   }
 }
 
 template <int dim>
-void Model<dim>::build(const input::Scene &scene, const std::vector<Move> &moves)
+void Model<dim>::build(const input::Scene &scene, const Setup &setup, const std::vector<Move> &moves)
 {
   const auto                              materials = build_materials(scene);
   std::vector<fem::BodyMesh<dim>>         meshes;

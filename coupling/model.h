@@ -94,7 +94,7 @@ public:
 
 private:
   /// `moves`: of points that would overlap.
-  void build(const input::Scene &, const std::vector<Move> &moves);
+  void build(const input::Scene &, const Setup &, const std::vector<Move> &moves);
   // model_step.cc
   void       begin_parts(const input::Scene &);
   StepLimit  fine_limit() const;

@@ -121,6 +121,9 @@ std::string Model<dim>::review()
 
 #define OGIVE_INSTANTIATE(d)                                                                                 \
   template void        Model<d>::begin_parts(const input::Scene &);                                          \
+  template StepLimit   Model<d>::fine_limit() const;                                                         \
+  template StepLimit   Model<d>::coarse_limit() const;                                                       \
+  template StepStatus  Model<d>::take_part(const TimeStep &, std::size_t);                                   \
   template StepLimit   Model<d>::stable_dt() const;                                                          \
   template StepStatus  Model<d>::step(const TimeStep &);                                                     \
   template double      Model<d>::parts_error(Party) const;                                                   \
