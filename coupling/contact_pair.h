@@ -210,7 +210,7 @@ private:
   double        facet_size_   = 0; ///< mean edge of the other side's facets, m
   double        finest_       = 0; ///< least of them, m
   double        own_finest_   = 0; ///< of the points' side where they are nodes, m
-  double        crowd_        = 1; ///< points that a place of the other side carries in a closed layer
+  double        apart_        = 0; ///< least distance of the points in a closed layer, m; 0: a lone one
   double        size_         = 0; ///< typical facet edge or particle spacing of the other side, m
   double        max_depth_    = 0;
   double        half_spacing_ = 0;
