@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "apps/commands.h"
 
+#include "apps/certificate.h"
+
 #include "core/base/error.h"
 #include "core/base/log.h"
 #include "core/input/reader.h"
+#include "core/io/files.h"
+#include "coupling/certificate.h"
 #include "coupling/run.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <limits>
 
 namespace ogive::apps
@@ -67,9 +72,38 @@ void print_critical(const coupling::Plan &plan, const std::vector<std::string> &
   else if (!plan.meshes.empty())
     std::printf("  critical   not looked for in so many elements; \"step bound = power-iteration\" does\n");
 }
+
+/// Measures the seams, prints tables, writes certificate.csv and certificate.svg.
+void certify_seams(const input::Scene &scene, const CheckArguments &a)
+{
+  namespace fs         = std::filesystem;
+  const auto     seams = coupling::seams_of(scene);
+  const fs::path directory(a.directory.empty() ? "results/certificate-" + scene.name : a.directory);
+  if (seams.empty())
+    throw InputError(a.scene + ": --certificate: the scene has no seam; expected an interface between two bodies, or a "
+                               "body with method = auto");
+  for (const char *name : {"certificate.csv", "certificate.svg"})
+    if (fs::exists(directory / name) && !a.force)
+      throw InputError((directory / name).string() + ": exists already; give another directory with -o, or --force");
+  std::vector<io::Summary::Certificate> certificates;
+  for (const coupling::CertifiedSeam &seam : seams)
+    try
+    {
+      certificates.push_back(coupling::certify(seam, coupling::certificate_wavelengths(seam)));
+      print_certificate(certificates.back());
+    }
+    catch (const InputError &e)
+    {
+      input::rethrow_in_scene(a.scene, e);
+    }
+  fs::create_directories(directory);
+  io::write_whole((directory / "certificate.csv").string(), certificate_csv(certificates));
+  io::write_whole((directory / "certificate.svg").string(), certificate_svg(scene.title, certificates));
+  std::printf("  written to %s: certificate.csv, certificate.svg\n", directory.string().c_str());
+}
 } // namespace
 
-void check(const SceneArguments &a)
+void check(const CheckArguments &a)
 {
   const input::Scene scene = input::read_scene(a.scene, a.overrides);
   coupling::Plan     plan;
@@ -120,5 +154,7 @@ void check(const SceneArguments &a)
               engineering(scene.end_time).c_str(), plan.steps, plan.steps * plan.seconds_per_step,
               engineering(plan.seconds_per_step).c_str());
   std::printf("  memory     %.1f MiB\n", plan.memory_bytes / (1024. * 1024.));
+  if (a.certificate)
+    certify_seams(scene, a);
 }
 } // namespace ogive::apps

@@ -14,6 +14,13 @@ struct SceneArguments
   std::vector<std::string> overrides; ///< "Section/entry=value"
 };
 
+struct CheckArguments : SceneArguments
+{
+  bool        certificate = false; ///< measure what the seams reflect
+  std::string directory;           ///< of the certificate; empty: results/certificate-<scene>
+  bool        force = false;
+};
+
 struct RunArguments : SceneArguments
 {
   std::string directory; ///< empty: results/<scene>-<n>
@@ -43,7 +50,7 @@ struct BenchArguments
   std::string json; ///< file for the figures, empty for none
 };
 
-void check(const SceneArguments &);
+void check(const CheckArguments &);
 void run(const RunArguments &);
 void restart(const RestartArguments &);
 void chart(const ChartArguments &);

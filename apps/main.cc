@@ -31,9 +31,17 @@ int main(int argc, char *argv[])
   app.require_subcommand(1);
   app.set_version_flag("--version", std::string("ogive ") + OGIVE_VERSION + " (" + OGIVE_COMMIT + ")");
 
-  apps::SceneArguments check_arguments;
+  apps::CheckArguments check_arguments;
   CLI::App *check = app.add_subcommand("check", "validate a scene and print the plan");
   add_scene(*check, check_arguments);
+  CLI::Option *certificate =
+    check->add_flag("--certificate", check_arguments.certificate, "measure what its seams reflect, at several wavelengths");
+  check
+    ->add_option("-o,--output", check_arguments.directory,
+                 "directory of certificate.csv and certificate.svg (results/certificate-<scene>)")
+    ->needs(certificate);
+  check->add_flag("--force", check_arguments.force, "replace an earlier certificate in the directory")
+    ->needs(certificate);
 
   apps::RunArguments run_arguments;
   CLI::App *run = app.add_subcommand("run", "run a scene");

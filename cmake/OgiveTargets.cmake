@@ -39,7 +39,7 @@ endfunction()
 # ogive_test(NAME SOURCES a.cc ... LINK lib ... [DEALII] [LABELS l ...] [TIMEOUT s])
 # One executable of GoogleTest cases, each case its own ctest.
 function(ogive_test name)
-  cmake_parse_arguments(A "DEALII" "TIMEOUT" "SOURCES;LINK;LABELS" ${ARGN})
+  cmake_parse_arguments(A "DEALII" "TIMEOUT;PREFIX" "SOURCES;LINK;LABELS" ${ARGN})
   if(NOT A_TIMEOUT)
     set(A_TIMEOUT 300)
   endif()
@@ -52,6 +52,6 @@ function(ogive_test name)
   if(A_DEALII)
     ogive_use_dealii(${name})
   endif()
-  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 TEST_PREFIX "${A_PREFIX}"
     PROPERTIES LABELS "${A_LABELS}" TIMEOUT ${A_TIMEOUT})
 endfunction()

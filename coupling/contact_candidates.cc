@@ -67,6 +67,10 @@ void ContactPair<dim>::renew(const Faces<dim> &faces, const std::vector<int> &sy
   else
   {
     facets_ = true_facets(faces[other_party_], other_body_, symmetry_axes);
+    // Seams close the surface, so that a point beside one is not behind the
+    // face next to it; nothing touches them (nearest()).
+    const auto seams = true_facets(faces[other_party_], other_body_, symmetry_axes, true);
+    facets_.insert(facets_.end(), seams.begin(), seams.end());
     others_.clear();
     for (const auto &facet : facets_)
       others_.insert(others_.end(), facet.node.begin(), facet.node.end());

@@ -63,6 +63,8 @@ Stand<dim> ContactPair<dim>::nearest(const Faces<dim> &faces, std::size_t query,
       reach       = 1.0001 * std::sqrt(foot.distance2);
     }
   }
+  if (stand.found && facets_[stand.facet].bared)
+    return {}; // a seam: on its other side are particles of the body
   if (stand.found)
     finish_stand(p, half_spacing_, stand);
   return stand;

@@ -75,13 +75,20 @@ void Conversion<dim>::prepare(Body &b, std::pair<std::uint32_t, std::uint32_t> r
   for (const std::uint32_t e : held)
     b.free[e] = false;
   b.around.resize(n);
+  b.beside.resize(n);
+  constexpr int on_face = 1 << (dim - 1); // nodes
   for (std::uint32_t e = 0; e < n; ++e)
   {
-    auto &around = b.around[e];
+    std::map<std::uint32_t, int> shared; // nodes with each other element
     for (const std::uint32_t node : mesh_.look(b.first + e).node)
-      around.insert(around.end(), at[node].begin(), at[node].end());
-    std::sort(around.begin(), around.end());
-    around.erase(std::unique(around.begin(), around.end()), around.end());
+      for (const std::uint32_t other : at[node])
+        ++shared[other];
+    for (const auto &[other, nodes] : shared)
+    {
+      b.around[e].push_back(other);
+      if (nodes == on_face && other != e)
+        b.beside[e].push_back(other);
+    }
   }
 }
 
@@ -135,6 +142,29 @@ auto Conversion<dim>::grown(const Body &b, const Elements &from, int layers) con
   }
   std::sort(all.begin(), all.end());
   return all;
+}
+
+template <int dim>
+auto Conversion<dim>::without_spikes(const Body &b, Elements elements) const -> Elements
+{
+  std::vector<bool> goes(b.free.size(), false);
+  for (const std::uint32_t e : elements)
+    goes[e] = true;
+  for (std::size_t k = 0; k < elements.size(); ++k) // grows on the way
+    for (const std::uint32_t e : b.around[elements[k]])
+    {
+      if (goes[e] || !may_go(b, e))
+        continue;
+      const auto stay = std::count_if(b.beside[e].begin(), b.beside[e].end(), [&](std::uint32_t other) {
+        return !goes[other] && mesh_.alive(b.first + other);
+      });
+      if (stay >= std::min<std::ptrdiff_t>(dim, static_cast<std::ptrdiff_t>(b.beside[e].size())))
+        continue;
+      goes[e] = true;
+      elements.push_back(e);
+    }
+  std::sort(elements.begin(), elements.end());
+  return elements;
 }
 
 template <int dim>
@@ -247,9 +277,9 @@ std::vector<ConversionEvent> Conversion<dim>::convert(std::int64_t step, double 
     if (found.empty())
       continue;
     Elements all;
-    for (const Elements &cluster : clusters(b, grown(b, found, static_cast<int>(b.when.layers))))
+    for (const Elements &cluster : clusters(b, without_spikes(b, grown(b, found, static_cast<int>(b.when.layers)))))
     {
-      const Elements whole = roomy(b, cluster);
+      const Elements whole = without_spikes(b, roomy(b, cluster));
       all.insert(all.end(), whole.begin(), whole.end());
     }
     std::sort(all.begin(), all.end());

@@ -20,7 +20,9 @@ inline constexpr int most_along_edge = 6;
 /// Turns elements of bodies with method auto into particles, between two steps.
 ///
 /// An element goes where input::Conversion says so, with the elements around it
-/// in `layers` layers (elements that share a node). Elements at a face that a
+/// in `layers` layers (elements that share a node), and what would be left with
+/// less than `dim` neighbours: the nodes of such spikes are too light for what
+/// particles press them with. Elements at a face that a
 /// boundary acts on stay: particles would lose it. So do elements that are more
 /// than most_along_edge spacings long.
 ///
@@ -58,6 +60,7 @@ private:
     double                                  spacing = 0; ///< of its particles, m
     std::uint32_t                           first = 0;   ///< element
     std::vector<std::vector<std::uint32_t>> around;      ///< elements that share a node with each, from 0
+    std::vector<std::vector<std::uint32_t>> beside;      ///< that share a face with it
     std::vector<bool>                       free;        ///< may go
   };
   using Elements = std::vector<std::uint32_t>; ///< of a body, from 0
@@ -68,6 +71,8 @@ private:
   Elements zone(const Body &) const;
   /// `from` and what lies within some layers of it, ascending.
   Elements grown(const Body &, const Elements &from, int layers) const;
+  /// With what would be left as a spike between particles.
+  Elements without_spikes(const Body &, Elements) const;
   std::vector<Elements> clusters(const Body &, const Elements &) const;
   /// The same where the particles can take up the angular momentum.
   Elements roomy(const Body &, Elements) const;

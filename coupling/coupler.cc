@@ -22,7 +22,7 @@ Party party_of(const input::Scene &scene, int body)
   return scene.bodies[body].method == input::Method::sph ? particle_party : mesh_party;
 }
 
-/// Both for a body whose elements turn into particles.
+/// What a body is made of, or may be in time.
 std::vector<Party> parties_of(const input::Scene &scene, int body)
 {
   return scene.bodies[body].method == input::Method::automatic ? std::vector<Party>{mesh_party, particle_party} :
@@ -195,9 +195,10 @@ void Coupler<dim>::renew()
 }
 
 template <int dim>
-void Coupler<dim>::gather()
+void Coupler<dim>::gather(double own_share)
 {
   auto faces = Faces<dim>::look(mesh_.get(), particles_.get());
+  faces.particle_share = own_share;
   faces.clear_forces();
   contacts_->gather(faces);
   if (const auto pieces = contacts_->new_pieces(); !pieces.empty())
@@ -208,8 +209,26 @@ void Coupler<dim>::gather()
   for (int a = 0; a < dim; ++a)
     force[a] = slaves_.force[a];
   particles_->slave_forces(force);
+  if (own_share != 1)
+    share_slave_forces(faces, own_share);
   for (auto &interface : interfaces_)
     interface->gather(faces, slaves_);
+}
+
+/// Contact acts in every part of a step, the particles' own forces once.
+template <int dim>
+void Coupler<dim>::share_slave_forces(const Faces<dim> &faces, double own_share)
+{
+  const auto &particles = faces[particle_party];
+  for (std::size_t s = 0; s < slaves_.id.size(); ++s)
+  {
+    const std::uint32_t i = faces.particle_index[slaves_.id[s]];
+    for (int a = 0; a < dim; ++a)
+    {
+      const double contact  = particles.force[a][i];
+      slaves_.force[a][s] = contact + own_share * (slaves_.force[a][s] - contact);
+    }
+  }
 }
 
 template <int dim>

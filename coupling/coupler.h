@@ -58,8 +58,9 @@ public:
   /// Between two steps, after elements have turned into particles.
   void renew();
   /// Contact and interface forces at t_n into Surface::force of both parties
-  /// (what stands there is cleared first).
-  void gather();
+  /// (what stands there is cleared first). In a part of a step `own_share` of
+  /// what particles do to their slaves acts.
+  void gather(double own_share = 1);
   /// Velocities of the tied particles, from the nodes just kicked.
   void drive();
   /// Books the energy of the step. Call once both parties have stepped.
@@ -85,6 +86,7 @@ public:
   std::size_t tied_particles() const { return slaves_.id.size(); }
 
 private:
+  void share_slave_forces(const Faces<dim> &, double own_share);
   void build_interfaces(const input::Scene &);
   void build_contacts(const input::Scene &);
 

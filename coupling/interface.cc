@@ -2,6 +2,7 @@
 #include "coupling/interface.h"
 
 #include "core/base/error.h"
+#include "coupling/interface_blended.h"
 #include "coupling/interface_pair_flux.h"
 #include "coupling/interface_tied.h"
 
@@ -28,6 +29,7 @@ const std::vector<std::pair<std::string, Maker<dim>>> &registry()
   static const std::vector<std::pair<std::string, Maker<dim>>> methods{
     {"tied", make<dim, TiedInterface<dim>>},
     {"pair-flux", make<dim, PairFluxInterface<dim>>},
+    {"blended", make<dim, BlendedInterface<dim>>},
   };
   return methods;
 }

@@ -36,6 +36,14 @@ public:
   std::size_t                       n_slaves() const { return embedding_.size(); }
   const std::vector<Embedding<dim>> &embeddings() const { return embedding_; }
 
+protected:
+  /// For others that choose slaves in their own way.
+  explicit TiedInterface(const Slaves<dim> &slaves) : first_(slaves.id.size()) {}
+
+  std::size_t                 first_ = 0; ///< of this interface's range in Slaves
+  std::vector<std::int64_t>   id_;
+  std::vector<Embedding<dim>> embedding_;
+
 private:
   struct Seam; // what is needed only while particles are chosen
   void choose(const InterfaceSpec &, Seam &, MeshPort<dim> &, Slaves<dim> &);
@@ -44,9 +52,6 @@ private:
   Point<dim> carried(const Faces<dim> &, const Embedding<dim> &) const;
   Point<dim> slave_velocity(const Faces<dim> &, std::size_t s) const;
 
-  std::size_t                 first_ = 0; ///< of this interface's range in Slaves
-  std::vector<std::int64_t>   id_;
-  std::vector<Embedding<dim>> embedding_;
   // Of the present step, at t_{n-1/2}.
   std::vector<Point<dim>> node_velocity_before_, slave_velocity_before_;
   InterfaceEnergy         energy_, kept_;

@@ -6,10 +6,11 @@
 #include "core/materials/started_material.h"
 #include "coupling/healing.h"
 #include "coupling/joined_sample.h"
+#include "coupling/stopwatch.h"
 #include "fem/mesh.h"
 #include "sph/fill.h"
 
-#include <ctime>
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -17,21 +18,6 @@ namespace ogive::coupling
 {
 namespace
 {
-/// Adds the processor time of its life to a counter.
-class Stopwatch
-{
-public:
-  explicit Stopwatch(double &seconds)
-    : seconds_(seconds)
-    , start_(std::clock())
-  {}
-  ~Stopwatch() { seconds_ += static_cast<double>(std::clock() - start_) / CLOCKS_PER_SEC; }
-
-private:
-  double      &seconds_;
-  std::clock_t start_;
-};
-
 std::map<std::string, std::shared_ptr<const materials::Material>> build_materials(const input::Scene &scene)
 {
   std::map<std::string, std::shared_ptr<const materials::Material>> built;
@@ -121,13 +107,39 @@ void start(sph::BodyParticles<dim> &particles, const input::Body &body)
     throw InputError({"", 0, "Bodies/" + body.name + entry}, e.complaint());
   }
 }
+
+template <int dim>
+void set_velocity(sph::BodyParticles<dim> &particles, const Setup &setup)
+{
+  for (std::size_t i = 0; setup.velocity && i < particles.x.size(); ++i)
+  {
+    Vec3 x = Vec3::Zero();
+    std::copy(particles.x[i].begin(), particles.x[i].end(), x.data());
+    const Vec3 v = setup.velocity(particles.body, x);
+    std::copy_n(v.data(), dim, particles.v[i].begin());
+  }
+}
+
+template <int dim>
+void set_velocity(fem::BodyMesh<dim> &mesh, const Setup &setup)
+{
+  for (std::size_t i = 0; setup.velocity && i < mesh.n_nodes(); ++i)
+  {
+    Vec3 x = Vec3::Zero();
+    for (int a = 0; a < dim; ++a)
+      x[a] = mesh.x[a][i];
+    const Vec3 v = setup.velocity(mesh.body, x);
+    for (int a = 0; a < dim; ++a)
+      mesh.v[a][i] = v[a];
+  }
+}
 } // namespace
 
 template <int dim>
-Model<dim>::Model(const input::Scene &scene)
+Model<dim>::Model(const input::Scene &scene, const Setup &setup)
   : n_walls_(scene.walls.size())
 {
-  build(scene, {});
+  build(scene, setup, {});
   if (const auto moves = coupler_->moves(); !moves.empty())
   {
     const auto healed = coupler_->healed();
@@ -135,13 +147,13 @@ Model<dim>::Model(const input::Scene &scene)
     conversion_.reset();
     mesh_notes_.clear();
     contact_bodies_.clear();
-    build(scene, moves);
+    build(scene, setup, moves);
     coupler_->report_healed(healed);
   }
 }
 
 template <int dim>
-void Model<dim>::build(const input::Scene &scene, const std::vector<Move> &moves)
+void Model<dim>::build(const input::Scene &scene, const Setup &setup, const std::vector<Move> &moves)
 {
   const auto                              materials = build_materials(scene);
   std::vector<fem::BodyMesh<dim>>         meshes;
@@ -154,6 +166,7 @@ void Model<dim>::build(const input::Scene &scene, const std::vector<Move> &moves
     if (body.method != input::Method::sph)
     {
       meshes.push_back(fem::make_mesh<dim>(body, scene, static_cast<int>(b), material));
+      set_velocity(meshes.back(), setup);
       for (const std::string &note : meshes.back().notes)
         mesh_notes_.push_back("body \"" + body.name + "\": " + note);
     }
@@ -165,6 +178,7 @@ void Model<dim>::build(const input::Scene &scene, const std::vector<Move> &moves
     if (body.method == input::Method::sph)
     {
       clouds.push_back(sph::fill<dim>(body, scene, static_cast<int>(b), material));
+      set_velocity(clouds.back(), setup);
       start(clouds.back(), body);
     }
   }
@@ -178,7 +192,7 @@ void Model<dim>::build(const input::Scene &scene, const std::vector<Move> &moves
   if (!clouds.empty())
     sph_ = std::make_unique<sph::Solver<dim>>(
       sph::Parameters{scene.sph, scene.dimension == input::Dimension::axisymmetric, scene.symmetry, scene.walls,
-                      scene.boundaries, boundary_bodies(scene)},
+                      scene.boundaries, boundary_bodies(scene), setup.mirrors},
       std::move(clouds));
   if (!held.empty())
   {
@@ -186,40 +200,9 @@ void Model<dim>::build(const input::Scene &scene, const std::vector<Move> &moves
     conversion_->begin();
   }
   coupler_ = std::make_unique<Coupler<dim>>(scene, fem_.get(), sph_.get());
+  begin_parts(scene);
   for (const input::Contact &contact : scene.contacts)
     contact_bodies_.emplace_back(body_index(scene, contact.first), body_index(scene, contact.second));
-}
-
-template <int dim>
-StepLimit Model<dim>::stable_dt() const
-{
-  StepLimit limit = coupler_->stable_dt();
-  if (fem_)
-    limit.tighten(fem_->stable_dt());
-  if (sph_)
-    limit.tighten(sph_->stable_dt());
-  return limit;
-}
-
-template <int dim>
-StepStatus Model<dim>::step(const TimeStep &step)
-{
-  coupler_->gather();
-  StepStatus status;
-  if (fem_)
-  {
-    const Stopwatch watch(fem_seconds_);
-    status = fem_->step(step);
-  }
-  coupler_->drive();
-  if (sph_ && status.ok)
-  {
-    const Stopwatch watch(sph_seconds_);
-    status = sph_->step(step);
-  }
-  if (status.ok)
-    coupler_->close(step);
-  return status;
 }
 
 template <int dim>
@@ -244,6 +227,7 @@ void Model<dim>::snapshot()
   if (sph_)
     sph_->snapshot();
   coupler_->snapshot();
+  subcycling_.snapshot();
 }
 
 template <int dim>
@@ -256,6 +240,7 @@ void Model<dim>::restore()
   if (sph_)
     sph_->restore();
   coupler_->restore();
+  subcycling_.restore();
 }
 
 template <int dim>
@@ -268,6 +253,7 @@ void Model<dim>::save(ArchiveWriter &archive) const
   if (sph_)
     sph_->save(archive, "sph");
   coupler_->save(archive, "coupling");
+  subcycling_.save(archive, "coupling");
 }
 
 template <int dim>
@@ -280,6 +266,7 @@ void Model<dim>::load(const ArchiveReader &archive)
   if (sph_)
     sph_->load(archive, "sph");
   coupler_->load(archive, "coupling");
+  subcycling_.load(archive, "coupling");
 }
 
 template <int dim>
@@ -288,6 +275,12 @@ LedgerRow Model<dim>::ledger() const
   CouplingBalance coupling = coupler_->balance();
   if (conversion_)
     coupling.conversion_heat += conversion_->heat();
+  for (const Party party : {mesh_party, particle_party})
+  {
+    const double error = parts_error(party);
+    coupling.interface_work += error;
+    (party == mesh_party ? coupling.work_on_mesh : coupling.work_on_particles) += error;
+  }
   return ledger_row(fem_ ? fem_->balance() : Balance(), sph_ ? sph_->balance() : Balance(), coupling);
 }
 

@@ -10,29 +10,44 @@
 #include "coupling/conversion.h"
 #include "coupling/coupler.h"
 #include "coupling/ledger.h"
+#include "coupling/subcycling.h"
 #include "fem/mesh_quality.h"
 #include "fem/solver.h"
 #include "sph/solver.h"
 
+#include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
 
 namespace ogive::coupling
 {
+/// What a measurement adds to a scene, and no scene file can.
+struct Setup
+{
+  std::vector<sph::Mirror>                mirrors;  ///< of all bodies of particles
+  std::function<Vec3(int body, const Vec3 &x)> velocity; ///< at the start, m/s, in place of the bodies'
+};
+
 /// The bodies of a scene in their solvers, and the layer between: everything
 /// that moves, nothing that watches.
 template <int dim>
 class Model
 {
 public:
-  explicit Model(const input::Scene &);
+  explicit Model(const input::Scene &, const Setup & = {});
 
   StepLimit stable_dt() const;
 
   /// One step of all: forces of the coupling at t_n, the mesh, the slaves, the
   /// particles, the books.
+  /// Where the scene lets one solver take several steps in one of the other,
+  /// all of that in parts of the step (coupling/subcycling.h).
   StepStatus step(const TimeStep &);
+  /// After a step: empty, or what to tell when parts of steps end by their error.
+  std::string review();
+  /// Parts of the last step.
+  std::size_t parts() const { return parts_; }
 
   /// Between two steps: elements of bodies with method auto that must turn into
   /// particles do. Snapshots taken before are void if there are events.
@@ -79,7 +94,13 @@ public:
 
 private:
   /// `moves`: of points that would overlap.
-  void build(const input::Scene &, const std::vector<Move> &moves);
+  void build(const input::Scene &, const Setup &, const std::vector<Move> &moves);
+  // model_step.cc
+  void       begin_parts(const input::Scene &);
+  StepLimit  fine_limit() const;
+  StepLimit  coarse_limit() const;
+  StepStatus take_part(const TimeStep &whole, std::size_t j);
+  double     parts_error(Party) const; ///< of steps in parts, J
 
   std::size_t                        n_walls_;
   std::vector<std::pair<int, int>>   contact_bodies_; ///< of each contact of the scene
@@ -87,6 +108,8 @@ private:
   std::unique_ptr<sph::Solver<dim>>  sph_;
   std::unique_ptr<Conversion<dim>>   conversion_; ///< where a body has method auto
   std::unique_ptr<Coupler<dim>>      coupler_;
+  Subcycling                         subcycling_;
+  std::size_t                        parts_ = 1;
   std::vector<std::string>           mesh_notes_;
   double                             sph_seconds_ = 0, fem_seconds_ = 0;
 };

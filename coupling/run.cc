@@ -5,6 +5,7 @@
 #include "core/io/field_writer.h"
 #include "core/io/history_writer.h"
 #include "core/time/clock.h"
+#include "coupling/certificate.h"
 #include "coupling/conversion_log.h"
 #include "coupling/model.h"
 #include "coupling/run_report.h"
@@ -65,6 +66,8 @@ public:
     , report_(scene)
   {}
 
+  void certified(std::vector<io::Summary::Certificate> all) { certificates_ = std::move(all); }
+
   void begin()
   {
     history_.emplace(directory_.history(), report_.columns());
@@ -106,6 +109,8 @@ public:
       clock_.advance();
       report_.limited_by(limit);
       convert();
+      if (const std::string note = model_.review(); !note.empty())
+        log_.warn(note);
       watch(step);
     }
     return finish();
@@ -217,6 +222,7 @@ private:
   RunReport                             report_;
   std::optional<io::HistoryWriter>      history_;
   std::optional<io::FieldWriter>        fields_;
+  std::vector<io::Summary::Certificate> certificates_;
   ConversionLog                         conversions_;
   std::int64_t                          mark_step_ = 0, row_step_ = -1, fields_step_ = -1, checkpoint_step_ = -1;
   double                                start_time_ = 0;
@@ -293,6 +299,7 @@ io::Summary Run<dim>::finish()
   summary.elements                     = static_cast<std::int64_t>(model_.elements());
   summary.sph_particle_steps_per_core_s = rate(model_.particle_updates(), model_.sph_seconds());
   summary.fem_element_steps_per_core_s  = rate(model_.element_updates(), model_.fem_seconds());
+  summary.certificates                 = certificates_;
   summary.warnings                     = log_.warnings();
   io::write_summary(directory_.summary(), summary);
   return summary;
@@ -353,8 +360,10 @@ auto with_dimension(const input::Scene &scene, F &&f)
 io::Summary run_scene(const input::Scene &scene, const std::function<io::RunDirectory()> &open,
                       const RunLabels &labels, Log &log)
 {
+  auto certificates = certify_before_run(scene, log);
   return with_dimension(scene, [&]<int dim>() {
     Run<dim> run(scene, open, labels, log);
+    run.certified(std::move(certificates));
     run.begin();
     return run.go();
   });

@@ -69,6 +69,25 @@ double shortest_edge(const std::array<Point<dim>, (1 << dim)> &corner)
   return least;
 }
 
+/// Particles along each axis of a cell, about `spacing` apart, at least one, as
+/// its element would turn into.
+template <int dim>
+Site<dim> counts_in(const std::array<Point<dim>, (1 << dim)> &corner, double spacing)
+{
+  static constexpr int edges[3][4][2] = {{{0, 1}, {3, 2}, {4, 5}, {7, 6}}, {{0, 3}, {1, 2}, {4, 7}, {5, 6}},
+                                         {{0, 4}, {1, 5}, {2, 6}, {3, 7}}};
+  constexpr int        n              = 1 << (dim - 1); // edges along each axis
+  Site<dim>            count;
+  for (int a = 0; a < dim; ++a)
+  {
+    double length = 0;
+    for (int k = 0; k < n; ++k)
+      length += (corner[edges[a][k][1]] - corner[edges[a][k][0]]).norm() / n;
+    count[a] = std::max(1, static_cast<int>(std::lround(length / spacing)));
+  }
+  return count;
+}
+
 /// The lattice of a body of particles.
 template <int dim>
 struct Sites
@@ -268,25 +287,30 @@ std::vector<RiderPlace<dim>> places_in_cells(const SeamView<dim> &view)
   NeighbourList<dim> near;
   near.build(boxes, seam);
 
-  const int                    n = view.spec.per_edge;
+  const double                 spacing = *std::max_element(view.cell.begin(), view.cell.end());
   std::vector<RiderPlace<dim>> riders;
   for (std::size_t c = 0; c < boxes.size(); ++c)
   {
     if (near.of(c).empty())
       continue;
     const auto corner = corners_of<dim>(view.faces, view.cells.node[c]);
+    const auto n      = counts_in<dim>(corner, spacing);
     int        count  = 1;
-    for (int a = 0; a < dim; ++a)
-      count *= n;
+    double     share  = 1; // of the reference cell
+    for (const int along : n)
+    {
+      count *= along;
+      share *= 2. / along;
+    }
     for (int k = 0; k < count; ++k)
     {
       Point<dim> xi;
-      for (int a = 0, rest = k; a < dim; ++a, rest /= n)
-        xi[a] = (2 * (rest % n) + 1.) / n - 1;
+      for (int a = 0, rest = k; a < dim; rest /= n[a], ++a)
+        xi[a] = (2 * (rest % n[a]) + 1.) / n[a] - 1;
       RiderPlace<dim> place;
       place.element   = view.cells.element[c];
       place.host.node = view.cells.node[c];
-      place.volume    = place_in_cell<dim>(corner, xi, place.host.weight) * std::pow(2. / n, dim);
+      place.volume    = place_in_cell<dim>(corner, xi, place.host.weight) * share;
       for (std::size_t a = 0; a < corner.size(); ++a)
         place.where += place.host.weight[a] * corner[a];
       if (view.spec.axisymmetric)

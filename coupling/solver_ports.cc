@@ -38,6 +38,10 @@ public:
   {
     solver_.copy_state(element, to, k);
   }
+  void weigh(int body, std::span<const std::uint32_t> elements, std::span<const double> shares) override
+  {
+    solver_.weigh(body, elements, shares);
+  }
   void damp(int body, std::span<const std::uint32_t> elements, double share) override
   {
     solver_.damp(body, elements, share);
@@ -77,6 +81,7 @@ public:
   {
     solver_.seam_normals(body, area);
   }
+  void weigh(std::span<const std::int64_t> ids, std::span<const double> shares) override { solver_.weigh(ids, shares); }
   double                              seam_work() const override { return solver_.seam_work(); }
   typename ParticlePort<dim>::Lattice lattice(int body) const override
   {

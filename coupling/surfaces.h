@@ -61,6 +61,11 @@ public:
   virtual Cells cells(int) const { throw InputError("this mesh does not name its cells"); }
   virtual void  copy_state(std::uint32_t, materials::Points &, std::size_t) const {}
   virtual void  damp(int, std::span<const std::uint32_t>, double) {}
+  /// See fem::Solver.
+  virtual void weigh(int, std::span<const std::uint32_t>, std::span<const double>)
+  {
+    throw InputError("these elements share nothing");
+  }
 };
 
 /// What the coupling layer asks of a particle solver.
@@ -92,6 +97,10 @@ public:
   virtual void   seam_forces(int, const std::array<std::span<double>, dim> &) const {}
   virtual void   seam_normals(int, const std::array<std::span<double>, dim> &) {}
   virtual double seam_work() const { return 0; }
+  virtual void   weigh(std::span<const std::int64_t>, std::span<const double>)
+  {
+    throw InputError("these particles share nothing");
+  }
   /// Distances of the layers of a body's lattice at the start, m, and how far its
   /// particles reach, m.
   struct Lattice
@@ -110,6 +119,9 @@ struct Faces
   std::array<Surface<dim>, 2>    of;
   std::span<const std::uint32_t> particle_index; ///< present index of each particle id
   std::span<const double>        damage;         ///< of the particles; empty: none
+  /// Of the forces that the particle solver found at t_n, as far as others take
+  /// them from it: 1, or in a part of a step what acts in that part.
+  double particle_share = 1;
 
   static Faces look(MeshPort<dim> *mesh, ParticlePort<dim> *particles);
 

@@ -95,6 +95,14 @@ public:
   /// size of an element. One-point elements only; others have none.
   virtual void damp(std::span<const std::size_t>, double) {}
 
+  /// Share of elements in the energy and mass of the material they stand for;
+  /// Nodes::mass loses the rest. Once, after lump_mass().
+  virtual void weigh(std::span<const std::size_t>, std::span<const double>, Nodes<dim> &)
+  {
+    throw InputError({"", 0, "FEM/element"}, "elements of this formulation cannot share their material with particles",
+                     "one-point");
+  }
+
   /// Death of elements. Formulations whose elements cannot die keep these.
   /// Called once before the first step: places the nodes of the grave.
   virtual void prepare_erosion(Nodes<dim> &)

@@ -68,6 +68,8 @@ void OnePointGroup<Element>::gather(const std::array<AlignedVector<double>, dim>
 template <class Element>
 void OnePointGroup<Element>::scatter(std::size_t begin, std::size_t count)
 {
+  if (!share_.empty())
+    return scatter_shares(begin, count);
   for (int a = 0; a < corners; ++a)
     for (int i = 0; i < dim; ++i)
     {

@@ -27,6 +27,7 @@ public:
   std::span<const double> nodal_forces(int i) const override { return nodal_force_[i]; }
 
   void       lump_mass(Nodes<dim> &) const override;
+  void       weigh(std::span<const std::size_t>, std::span<const double>, Nodes<dim> &) override;
   void       initialise(const Nodes<dim> &) override;
   double     added_mass() const override { return added_mass_; }
   StepStatus advance(const Nodes<dim> &, const TimeStep &) override;
@@ -73,6 +74,8 @@ private:
 
   void    find_rows();
   void    scatter(std::size_t begin, std::size_t count);
+  void    scatter_shares(std::size_t begin, std::size_t count);
+  double  share(std::size_t e) const { return share_.empty() ? 1. : share_[e]; }
   void    weigh(const Nodes<dim> &);
   void    gather(const std::array<AlignedVector<double>, dim> &, std::size_t pack, Corners &,
                  std::size_t first = 0) const;
@@ -126,6 +129,7 @@ private:
   AlignedVector<double>      corner_force_; ///< N at t_n, packs of corners x dim
   std::array<AlignedVector<double>, dim> nodal_force_; ///< N at t_n, sums over the corners at the body's nodes
   std::vector<double>   ring_mass_, section_mass_; ///< kg, kg/m at the body's nodes; area-weighted only
+  std::vector<double>   share_;             ///< see ElementGroup::weigh; empty: 1
   AlignedVector<double> Q_;                 ///< hourglass forces, N, packs of modes x dim
   AlignedVector<double> viscous_pressure_;  ///< Pa
   AlignedVector<double> damping_share_; ///< see damp(); empty: none

@@ -111,10 +111,10 @@ void OnePointGroup<Element>::add_energies(Balance &balance) const
   {
     if (!alive(e))
       continue;
-    internal += mass_[e] * points_.energy[e];
-    plastic += mass_[e] * points_.plastic_work[e];
-    heat += viscous_heat_[e];
-    patterns += hourglass_energy_[e];
+    internal += share(e) * mass_[e] * points_.energy[e];
+    plastic += share(e) * mass_[e] * points_.plastic_work[e];
+    heat += share(e) * viscous_heat_[e];
+    patterns += share(e) * hourglass_energy_[e];
   }
   balance.plastic_work += plastic;
   balance.thermal += plastic * material_->parameters().thermal.heated_share();

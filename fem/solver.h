@@ -67,6 +67,17 @@ public:
   StepLimit     critical_dt();
   Surface<dim>  surface();
   StepStatus    step(const TimeStep &);
+  /// The same step in parts, for a coupling layer that pushes and looks more
+  /// often: begin, go_on for each further part, finish. Surface::force is asked
+  /// for before begin and each go_on, and acts over the kick of that part;
+  /// elements, loads and walls act once, over that of the whole. Announce it
+  /// with allow_parts() at the initial state.
+  void          allow_parts();
+  StepStatus    begin(const TimeStep &whole, const TimeStep &part);
+  StepStatus    go_on(const TimeStep &part);
+  StepStatus    finish(const TimeStep &whole);
+  /// Energy that steps in parts gave the nodes and took from no element, J (fem/substeps.h).
+  double        parts_error() const;
   Balance       balance() const;
   void          snapshot();
   void          restore();
@@ -112,6 +123,9 @@ public:
   /// Viscous stress `share` (L/c) C : D in these elements of a body (numerics: the
   /// damping of stiffness at a seam), in none of its others.
   void damp(int body, std::span<const std::uint32_t> elements, double share);
+  /// Share of these elements of a body in the energy and mass of the material
+  /// they stand for; the rest belongs to particles. Once, before the first step.
+  void weigh(int body, std::span<const std::uint32_t> elements, std::span<const double> shares);
 
   const std::vector<TieReport> &ties() const;
 

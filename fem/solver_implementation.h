@@ -10,7 +10,9 @@
 #include "fem/loads.h"
 #include "fem/nodes.h"
 #include "fem/solver.h"
+#include "fem/substeps.h"
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -45,6 +47,9 @@ struct Solver<dim>::Implementation
   /// since then.
   AlignedVector<double>                           sharpening{1., 0.};
   std::vector<AlignedVector<double>>              mark;        ///< the snapshot
+  Substeps<dim>                                   parts_of_step;
+  std::map<std::uint32_t, double>                 mass_factor;      ///< over their own, of nodes that carry others
+  double                                          least_factor = 1; ///< of these, or 1
 
   /// An element among its group.
   struct Place
@@ -64,6 +69,11 @@ struct Solver<dim>::Implementation
       group->rebury();
     review_erosion();
   }
+  void       spread(typename Substeps<dim>::Pushed &, const TimeStep &whole, const TimeStep &part);
+  void       place(const TimeStep &whole, const TimeStep &part);
+  void       add_owed(Balance &) const;
+  StepStatus advance_elements(const TimeStep &);
+  StepStatus review();
   void       kick(const TimeStep &);
   void       fold_forces();
   void       book_loads(double kick);
@@ -84,6 +94,15 @@ struct Solver<dim>::Implementation
       f(std::string("force_") + axis[i], nodes.force[i]);
     }
     f("mass", nodes.mass);
+    if (parts_of_step.on())
+    {
+      for (int i = 0; i < dim; ++i)
+      {
+        f(std::string("shift_") + axis[i], parts_of_step.shift[i]);
+        f(std::string("owed_") + axis[i], parts_of_step.owed[i]);
+      }
+      f("parts_error", parts_of_step.error);
+    }
     f("wall_force", walls.forces());
     if (parameters.options.step_bound == "power-iteration")
     {

@@ -56,6 +56,7 @@ Balance Solver<dim>::balance() const
       b.angular_momentum += m * x.cross(v);
     }
   }
+  s.add_owed(b);
   s.erosion.add(b);
   b.external_work = s.work.external;
   b.wall_loss     = s.work.wall_loss;
@@ -216,7 +217,14 @@ std::uint64_t Solver<dim>::updates() const
 template <int dim>
 void Solver<dim>::add_mass(std::uint32_t node, double mass)
 {
-  self_->constraints.add_mass(self_->nodes, node, mass);
+  auto        &s      = *self_;
+  const double before = s.nodes.mass.at(node);
+  s.constraints.add_mass(s.nodes, node, mass);
+  const auto [at, fresh] = s.mass_factor.try_emplace(node, 1.);
+  at->second *= s.nodes.mass[node] / before;
+  s.least_factor = 1;
+  for (const auto &[n, factor] : s.mass_factor)
+    s.least_factor = std::min(s.least_factor, factor);
 }
 
 template <int dim>
@@ -291,6 +299,24 @@ void Solver<dim>::damp(int body, std::span<const std::uint32_t> elements, double
     for (const std::uint32_t e : elements)
       own.push_back(e - s.parts[g].first_element);
     s.groups[g]->damp(own, share);
+  }
+}
+
+template <int dim>
+void Solver<dim>::weigh(int body, std::span<const std::uint32_t> elements, std::span<const double> shares)
+{
+  auto &s = *self_;
+  if (!s.constraints.empty())
+    throw InputError({"", 0, "Interfaces"}, "elements of tied meshes cannot share their material with particles",
+                     "no ties between bodies of elements");
+  for (std::size_t g = 0; g < s.groups.size(); ++g)
+  {
+    if (s.groups[g]->body() != body)
+      continue;
+    std::vector<std::size_t> own;
+    for (const std::uint32_t e : elements)
+      own.push_back(e - s.parts[g].first_element);
+    s.groups[g]->weigh(own, shares, s.nodes);
   }
 }
 

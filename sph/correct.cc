@@ -65,7 +65,7 @@ void Solver<dim>::Implementation::reflect_correction(bool is_velocity)
     for (int a = 0; a < dim; ++a)
     {
       to[L::x + a]  = force_records[(store.size() + g) * L::force_stride + L::x + a];
-      to[L::da + a] = ghosts.sign[g][a] * from[L::da + a] + (is_velocity ? shift_rate(g, a) : 0.);
+      to[L::da + a] = ghosts.turn[g] * ghosts.sign[g][a] * from[L::da + a] + (is_velocity ? shift_rate(g, a) : 0.);
     }
     to[L::volume] = share(g) * from[L::volume];
   }

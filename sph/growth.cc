@@ -80,6 +80,7 @@ void Solver<dim>::Implementation::rearrange(const std::vector<std::size_t> &from
 {
   Store<dim> old = std::move(store);
   store          = Store<dim>();
+  store.in_parts = old.in_parts;
   store.resize(from.size());
   const auto source = arrays_of(old), target = arrays_of(store);
   std::vector<std::int64_t> was_near = near_surface;
@@ -108,6 +109,8 @@ void Solver<dim>::Implementation::put(const Newcomers<dim> &in, std::size_t firs
     {
       store.x[a][first + k]         = in.x[a][k];
       store.v[a][first + k]         = in.v[a][k];
+      if (store.in_parts)
+        store.v_strain[a][first + k] = in.v[a][k];
       store.x0[a][first + k]        = in.x0[a][k];
       store.half_cell[a][first + k] = in.half_cell[a][k];
     }
@@ -136,10 +139,14 @@ void Solver<dim>::Implementation::settle()
   sort_particles();
   rebuild_lists();
   touch_walls();
+  if (store.in_parts) // as in follow()
+    store.v.swap(store.v_strain);
   const StepStatus status = advance_material(0);
   require(status.ok, "the state of the newcomers is sound");
   find_surface();
   forces();
+  if (store.in_parts)
+    store.v.swap(store.v_strain);
 }
 
 template <int dim>

@@ -219,7 +219,7 @@ double Solver<dim>::Implementation::shift(std::size_t g, int a, double at) const
 {
   const int m = ghosts.images[g];
   if (m < 0 || images[m].wall[a] < 0)
-    return 0;
+    return ghosts.offset[g][a];
   const auto &wall = parameters.walls[images[m].wall[a]];
   return 2 * (wall.point[a] + wall.velocity[a] * at);
 }

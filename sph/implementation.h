@@ -27,6 +27,8 @@ struct Works
   /// friction waits for it, so that in the sum it is mu times the net impulse.
   std::vector<double> pull{};
   double              seam = 0; ///< see Solver::seam_work
+  /// Energy that steps in parts gave the particles and took from no pair, J.
+  double parts_error = 0;
 };
 
 /// What the reference configuration keeps; empty in the current one. But for
@@ -47,7 +49,7 @@ struct ReferenceState
 /// step; viscous.cc, correct.cc, support.cc: forces, the correction and its
 /// support; motion.cc: kick, boundaries, drift; lists.cc: rebuild and records;
 /// images.cc: images behind rigid walls; surface.cc: what contact sees;
-/// reference/reference.cc: the reference configuration; axis.cc: axial symmetry;
+/// substeps.cc: steps in parts; reference/reference.cc: the reference configuration; axis.cc: axial symmetry;
 /// state.cc: snapshots and checkpoints.
 template <int dim>
 struct Solver<dim>::Implementation
@@ -118,7 +120,10 @@ struct Solver<dim>::Implementation
 
   std::vector<std::int64_t>           slave_ids;
   std::vector<char>                   is_slave; ///< by id
+  std::vector<double>                 energy_share; ///< by id, see Solver::weigh; empty: 1
   PerAxis<std::vector<double>>        slave_velocity; ///< by id
+
+  PerAxis<AlignedVector<double>>      part_first, part_path, part_shift; ///< within a step in parts (substeps.cc)
 
   double              time = 0, time_listed = 0; ///< of x and of x_listed, s
   Works               works;
@@ -217,6 +222,9 @@ struct Solver<dim>::Implementation
     return &records[(store.size() + g) * stride];
   }
 
+  // solver.cc
+  StepStatus arrive(const TimeStep &); ///< all that follows from new positions
+
   // phases.cc
   /// Gradients at x(t_n); with dt > 0 also the material's step.
   StepStatus advance_material(double dt);
@@ -308,6 +316,11 @@ struct Solver<dim>::Implementation
   }
   /// Mass per volume of the space of the sweeps: kg/m^dim.
   double plane_density(std::size_t i) const { return ring(i) * store.swept_density[i]; }
+  double shared(std::size_t i) const
+  {
+    const auto id = static_cast<std::size_t>(store.id[i]);
+    return id < energy_share.size() ? energy_share[id] : 1.;
+  }
   double weight(std::size_t i) const { return standard ? store.mass[i] : store.mass[i] / plane_density(i); }
 };
 } // namespace ogive::sph

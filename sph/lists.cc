@@ -33,7 +33,9 @@ bool Solver<dim>::Implementation::lists_are_stale() const
         if (wall_axis[w] == a && is_near(b, w, store.x_listed, time_listed))
           return true;
       return std::any_of(parameters.symmetry.begin(), parameters.symmetry.end(),
-                         [a](const auto &p) { return p.axis == a; });
+                         [a](const auto &p) { return p.axis == a; }) ||
+             std::any_of(parameters.mirrors.begin(), parameters.mirrors.end(),
+                         [a](const auto &m) { return m.axis == a; });
     };
     for (int a = 0; a < dim; ++a)
       if (!mirrored(a))
@@ -108,7 +110,7 @@ void Solver<dim>::Implementation::rebuild_lists()
   for (int a = 0; a < dim; ++a)
     listed[a] = store.x_listed[a];
   for (const auto &b : bodies)
-    ghosts.append<dim>(listed, b.first, b.last, b.list_radius, parameters.symmetry);
+    ghosts.append<dim>(listed, b.first, b.last, b.list_radius, parameters.symmetry, parameters.mirrors);
   const bool listed_riders = !images.empty() && images.back().bits == 0;
   if (any_riders() && !listed_riders)
     images.emplace_back();
@@ -120,7 +122,7 @@ void Solver<dim>::Implementation::rebuild_lists()
   for (const auto &b : bodies)
     if (any_riders())
     {
-      ghosts.append<dim>(listed, b.first_rider, b.last_rider, b.list_radius, parameters.symmetry);
+      ghosts.append<dim>(listed, b.first_rider, b.last_rider, b.list_radius, parameters.symmetry, parameters.mirrors);
       images_of_riders.push_back(ghosts.range.back());
     }
   const std::size_t all = n + ghosts.size();
@@ -293,7 +295,7 @@ void Solver<dim>::Implementation::reflect_motion()
     for (int a = 0; a < dim; ++a)
     {
       to[L::x + a] = ghosts.sign[g][a] * from[L::x + a] + shift(g, a, time);
-      to[L::v + a] = ghosts.sign[g][a] * from[L::v + a] + shift_rate(g, a);
+      to[L::v + a] = ghosts.turn[g] * ghosts.sign[g][a] * from[L::v + a] + shift_rate(g, a);
     }
     to[L::weight]  = share(g) * from[L::weight];
     to[L::density] = from[L::density];
@@ -313,8 +315,9 @@ void Solver<dim>::Implementation::reflect_forces()
     for (int a = 0; a < dim; ++a)
       for (int b = 0; b < dim; ++b)
       {
-        to[L::p + a * dim + b]     = s[a] * s[b] * from[L::p + a * dim + b];
-        to[L::rate + L::sym(a, b)] = s[a] * s[b] * from[L::rate + L::sym(a, b)];
+        const double sign          = ghosts.turn[g] * s[a] * s[b];
+        to[L::p + a * dim + b]     = sign * from[L::p + a * dim + b];
+        to[L::rate + L::sym(a, b)] = sign * from[L::rate + L::sym(a, b)];
       }
   }
 }

@@ -130,7 +130,7 @@ StepStatus Solver<dim>::Implementation::advance_material(double dt)
       for (std::size_t i = begin; i < end; ++i)
       {
         double      *record = &force_records[i * L::force_stride];
-        record[L::sound]  = points.sound_speed[i] * (rides || seam_pairs(body, i) ? body.seam_hourglass : 1.);
+        record[L::sound]  = points.sound_speed[i] * (rides || seam_pairs(body, i) ? body.seam_hourglass : 1.) * shared(i);
         record[L::damage] = points.damage[i];
         broken += points.damage[i] >= 1 && !rides;
         if (reference.on)
@@ -142,6 +142,7 @@ StepStatus Solver<dim>::Implementation::advance_material(double dt)
         Matrix  p      = ring(i) * axis_share(body, i) * sigma.template topLeftCorner<dim, dim>() * corrected[i - begin];
         if (standard)
           p /= ring(i) * ring(i) * points.density[i] * points.density[i];
+        p *= shared(i);
         for (int a = 0; a < dim; ++a)
           for (int b = 0; b < dim; ++b)
             record[L::p + a * dim + b] = p(a, b);
@@ -175,7 +176,7 @@ void Solver<dim>::Implementation::energy(double kick)
     for (int a = 0; a < dim; ++a)
     {
       to[L::x + a] = ghosts.sign[g][a] * from[L::x + a] + shift(g, a, time);
-      to[L::v + a] = ghosts.sign[g][a] * from[L::v + a] + shift_rate(g, a);
+      to[L::v + a] = ghosts.turn[g] * ghosts.sign[g][a] * from[L::v + a] + shift_rate(g, a);
     }
     to[L::weight] = share(g) * from[L::weight];
   }
@@ -196,7 +197,7 @@ void Solver<dim>::Implementation::energy(double kick)
   for (std::size_t i = 0; i < n_own(); ++i)
   {
     const double *sums      = &power_sums[i * L::powers_stride];
-    const double  per_mass  = kick / store.mass[i];
+    const double  per_mass  = kick / (shared(i) * store.mass[i]);
     const double  viscous   = .5 * per_mass * sums[L::viscous_power];
     const double  hourglass = .5 * per_mass * sums[L::hourglass_power];
     const double  stress    = per_mass * energy_records[i * L::energy_stride + L::weight] * sums[L::stress_power];

@@ -69,6 +69,7 @@ Solver<dim>::Implementation::Implementation(const Parameters &p, std::vector<Bod
   check(o);
   reference.on = o.configuration == "reference";
   require(p.boundaries.size() == p.boundary_bodies.size(), "one body per boundary");
+  require(p.mirrors.empty() || (p.walls.empty() && !reference.on), "mirrors go without walls and reference configuration");
   shares        = lattice_shares<dim>(o);
   if (p.axisymmetric)
   {
@@ -166,26 +167,30 @@ StepStatus Solver<dim>::step(const TimeStep &t)
   auto &s = *self_;
   s.kick(t);
   s.energy(t.kick);
-  StepStatus status = s.drift(t.drift);
-  s.time            = t.time + t.drift;
-  if (!status.ok)
-    return status;
-  if (s.lists_are_stale())
+  const StepStatus status = s.drift(t.drift);
+  return status.ok ? s.arrive(t) : status;
+}
+
+template <int dim>
+StepStatus Solver<dim>::Implementation::arrive(const TimeStep &t)
+{
+  time = t.time + t.drift;
+  if (lists_are_stale())
   {
-    s.sort_particles();
-    s.rebuild_lists();
-    s.surface_stale = true;
+    sort_particles();
+    rebuild_lists();
+    surface_stale = true;
   }
-  s.touch_walls();
-  s.store.swept_density = s.store.points.density;
-  status                = s.advance_material(t.drift);
+  touch_walls();
+  store.swept_density     = store.points.density;
+  const StepStatus status = advance_material(t.drift);
   if (!status.ok)
     return status;
-  s.advance_switch(t.drift);
-  if (s.surface_stale)
-    s.find_surface();
-  s.forces();
-  s.updates += s.n_own();
+  advance_switch(t.drift);
+  if (surface_stale)
+    find_surface();
+  forces();
+  updates += n_own();
   return {};
 }
 
@@ -263,7 +268,7 @@ Balance Solver<dim>::balance() const
   double      internal = 0;
   for (std::size_t i = 0; i < s.n_own(); ++i)
   {
-    const double m = s.store.mass[i];
+    const double m = s.store.mass[i] * s.shared(i);
     internal += m * s.store.points.energy[i];
     b.plastic_work += m * s.store.points.plastic_work[i];
     b.viscosity_heat += m * s.store.viscosity_heat[i];
@@ -288,7 +293,7 @@ Balance Solver<dim>::balance() const
   }
   for (const auto &body : s.bodies)
     for (std::size_t i = body.first; i < body.last; ++i)
-      b.thermal += s.store.mass[i] * s.store.points.plastic_work[i] *
+      b.thermal += s.store.mass[i] * s.shared(i) * s.store.points.plastic_work[i] *
                    body.material->parameters().thermal.heated_share();
   b.elastic       = internal - b.plastic_work - b.viscosity_heat - b.hourglass_sph;
   b.external_impulse = s.works.impulse;
@@ -382,6 +387,23 @@ void Solver<dim>::set_slaves(std::span<const std::int64_t> ids)
   for (std::size_t i = 0; i < s.is_slave.size(); ++i)
     for (int a = 0; a < dim; ++a)
       s.slave_velocity[a][s.store.id[i]] = s.store.v[a][i];
+}
+
+template <int dim>
+void Solver<dim>::weigh(std::span<const std::int64_t> ids, std::span<const double> shares)
+{
+  auto &s = *self_;
+  if (s.reference.on || s.parameters.axisymmetric)
+    throw InputError({"", 0, "SPH/configuration"}, "particles that share their energy with elements know neither the "
+                                                   "reference configuration nor an axis",
+                     "current, in a plane or in space");
+  s.energy_share.resize(s.n_own(), 1.);
+  for (std::size_t k = 0; k < ids.size(); ++k)
+  {
+    require(shares[k] > 0 && shares[k] <= 1, "a share lies above 0 and not above 1");
+    s.energy_share[static_cast<std::size_t>(ids[k])] = shares[k];
+  }
+  s.follow(false);
 }
 
 template <int dim>

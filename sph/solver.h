@@ -9,6 +9,7 @@
 #include "core/io/archive.h"
 #include "core/materials/material.h"
 #include "core/time/time_step.h"
+#include "sph/mirror.h"
 #include "sph/newcomers.h"
 
 #include <array>
@@ -44,6 +45,7 @@ struct Parameters
   std::vector<input::RigidWall>      walls;
   std::vector<input::Boundary>       boundaries; ///< fixed and velocity, by Boundary::body through `boundary_bodies`
   std::vector<int>                   boundary_bodies;
+  std::vector<Mirror>                mirrors{}; ///< for measurements; not with walls or a reference configuration
 };
 
 /// What a run should watch.
@@ -66,6 +68,17 @@ public:
   StepLimit     stable_dt() const;
   Surface<dim>  surface();
   StepStatus    step(const TimeStep &);
+  /// The same step in parts, for a coupling layer that pushes and looks more
+  /// often: begin, go_on for each further part, finish. Surface::force and the
+  /// velocities of slaves are asked for before begin and each go_on, and act
+  /// over that part; forces between particles, walls and planes act once, over
+  /// the kick of the whole. Announce it with allow_parts() at the initial state.
+  void          allow_parts();
+  StepStatus    begin(const TimeStep &whole, const TimeStep &part);
+  StepStatus    go_on(const TimeStep &part);
+  StepStatus    finish(const TimeStep &whole);
+  /// Energy that steps in parts gave the particles and took from no pair, J (sph/substeps.cc).
+  double        parts_error() const;
   Balance       balance() const;
   void          snapshot();
   void          restore();
@@ -83,6 +96,11 @@ public:
   void drive_slaves(const std::array<std::span<const double>, dim> &velocity);
   /// Force on each slave at t_n (internal plus Surface::force), same order.
   void slave_forces(const std::array<std::span<double>, dim> &force) const;
+  /// Share of slaves (by Surface::id) in the energy of the material they stand
+  /// for, and so in its forces, 0 < share <= 1: stress, hourglass control and
+  /// linear viscosity of a pair act by the mean of its two shares. The rest
+  /// belongs to the elements that carry them. Once, before the first step.
+  void weigh(std::span<const std::int64_t> ids, std::span<const double> shares);
   /// Present index of each particle id (particles are reordered as they move).
   std::span<const std::uint32_t> index_of_id() const;
 

@@ -12,10 +12,14 @@ void Solver<dim>::Implementation::follow(bool lists)
 {
   if (lists)
     rebuild_lists();
+  if (store.in_parts)
+    store.v.swap(store.v_strain);
   advance_material(0);
   list_contact_points();
   surface_stale = false;
   forces();
+  if (store.in_parts)
+    store.v.swap(store.v_strain);
 }
 
 template <int dim>
@@ -71,6 +75,8 @@ void Solver<dim>::Implementation::write(ArchiveWriter &out, const std::string &p
   const double work[8] = {works.external,   works.wall_loss,  works.friction, works.impulse[0],
                           works.impulse[1], works.impulse[2], time,           time_listed};
   out.write(prefix + "/works", std::span<const double>(work, 8));
+  if (store.in_parts)
+    out.write(prefix + "/parts_error", works.parts_error);
   out.write(prefix + "/wall_pull", std::span<const double>(works.pull));
   out.write(prefix + "/wall_forces", std::span<const double>(wall_forces));
   out.write(prefix + "/updates", static_cast<std::int64_t>(updates));
@@ -137,6 +143,8 @@ void Solver<dim>::Implementation::read(const ArchiveReader &in, const std::strin
   const auto work = in.doubles(prefix + "/works");
   fit("works", work.size(), 8);
   works           = {work[0], work[1], work[2], Vec3(work[3], work[4], work[5]), in.doubles(prefix + "/wall_pull")};
+  if (store.in_parts)
+    works.parts_error = in.number(prefix + "/parts_error");
   const auto seam = in.doubles(prefix + "/seam_work");
   fit("seam_work", seam.size(), 1);
   works.seam = seam[0];

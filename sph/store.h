@@ -31,6 +31,8 @@ struct Store
   AlignedVector<double>                  switch_factor; ///< of the viscosity, where the switch has a memory
   AlignedVector<double>                  divergence;    ///< of the velocity, in the step before
   materials::Points                      points;
+  bool                                   in_parts = false; ///< steps may have parts:
+  std::array<AlignedVector<double>, dim> v_strain; ///< mean velocity over the last step; empty otherwise
   std::vector<std::int64_t>              id;
   std::vector<std::int64_t>              fixed; ///< bit a: component a is prescribed
   std::vector<std::int64_t>              touch; ///< bit w: touches wall w (images.h)
@@ -53,6 +55,8 @@ struct Store
     vector("external", external);
     vector("prescribed", prescribed);
     vector("half_cell", half_cell);
+    if (in_parts)
+      vector("v_strain", v_strain);
     f("mass", mass);
     f("swept_density", swept_density);
     f("viscosity_heat", viscosity_heat);

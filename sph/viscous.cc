@@ -141,7 +141,7 @@ void Solver<dim>::Implementation::pack_viscosity()
         r[V::mass]     = store.mass[i];
         r[V::density]  = p.density;
         r[V::sound]    = p.sound;
-        r[V::strength] = strength(i, p);
+        r[V::strength] = strength(i, p) * shared(i);
         r[V::split]    = shock_share(b, i, p);
         Law{o.alpha, o.beta, b.h}.prepare(p, r + V::extra);
         if (limited)
@@ -160,16 +160,16 @@ void Solver<dim>::Implementation::pack_viscosity()
       for (int a = 0; a < dim; ++a)
       {
         to[V::x + a] = s[a] * from[V::x + a] + shift(g, a, time);
-        to[V::v + a] = s[a] * from[V::v + a] + shift_rate(g, a);
+        to[V::v + a] = ghosts.turn[g] * s[a] * from[V::v + a] + shift_rate(g, a);
       }
       to[V::mass] *= share(g);
       for (int a = 0; a < dim; ++a)
         for (int c = 0; c < dim; ++c)
         {
           if (Law::n_fields == dim * dim && dim > 1)
-            to[V::extra + a * dim + c] = s[a] * s[c] * from[V::extra + a * dim + c];
+            to[V::extra + a * dim + c] = ghosts.turn[g] * s[a] * s[c] * from[V::extra + a * dim + c];
           if (limited)
-            to[rate + L::sym(a, c)] = s[a] * s[c] * from[rate + L::sym(a, c)];
+            to[rate + L::sym(a, c)] = ghosts.turn[g] * s[a] * s[c] * from[rate + L::sym(a, c)];
         }
     }
   });
@@ -226,7 +226,7 @@ void Solver<dim>::Implementation::stress_artificially()
     to[S::volume] = share(g) * from[S::volume];
     for (int a = 0; a < dim; ++a)
       for (int c = a; c < dim; ++c)
-        to[S::r + L::sym(a, c)] = s[a] * s[c] * from[S::r + L::sym(a, c)];
+        to[S::r + L::sym(a, c)] = ghosts.turn[g] * s[a] * s[c] * from[S::r + L::sym(a, c)];
   }
   for (const auto &b : bodies)
     b.sweeps.artificial_stress(sweep_of(b, pairs, force_sums.data()));

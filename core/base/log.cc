@@ -97,6 +97,12 @@ void Log::warn(const std::string &text)
   *out_ << "warning: " << text << std::endl;
 }
 
+void Log::note(const std::string &text)
+{
+  finish();
+  *out_ << text << std::endl;
+}
+
 void Log::finish()
 {
   if (line_open_)

@@ -41,6 +41,8 @@ public:
 
   void progress(const Progress &);
   void warn(const std::string &text);
+  /// Shown, not kept.
+  void note(const std::string &text);
   /// Ends the progress line, so that what comes next stands on its own.
   void finish();
 

@@ -2,6 +2,7 @@
 #include "core/input/checks.h"
 #include "core/input/shape_geometry.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace ogive::input
@@ -59,6 +60,11 @@ void check_kind(const Place &p)
       if (i.mesh == p.body.name || i.slave == p.body.name || i.master == p.body.name)
         p.refuse("element", "the interface \"" + i.name + "\" ties the body, and ties know no spectral shape functions",
                  "\"one-point\" or \"b-bar\", or no such interface");
+  if (d != Dimension::uniaxial && (element == "b-bar" || element == "full"))
+    for (const Interface &i : p.scene.interfaces)
+      if (i.mesh == p.body.name && i.method == "pair-flux")
+        p.refuse("element", "the seam \"" + i.name + "\" feeds on noise next to elements that it cannot damp",
+                 "\"one-point\", or method = tied in Interfaces/" + i.name);
   if (element == "spectral" && p.body.method != Method::sph && p.body.coarsen > 0)
     p.refuse("coarsen", "spectral elements have no hanging nodes", "another element, or a mesh without coarsening");
   if (d != Dimension::axisymmetric && p.body.method != Method::sph && element == "area-weighted")
@@ -226,6 +232,14 @@ void check_walls(const Place &p)
   }
 }
 
+/// Particles and elements that share a layer of the material.
+bool blended(const Scene &s, const std::string &a, const std::string &b)
+{
+  return std::any_of(s.interfaces.begin(), s.interfaces.end(), [&](const Interface &i) {
+    return i.method == "blended" && ((i.particles == a && i.mesh == b) || (i.particles == b && i.mesh == a));
+  });
+}
+
 void check_overlaps(const Scene &s, const Listing &listing)
 {
   for (std::size_t b = 1; b < s.bodies.size(); ++b)
@@ -233,6 +247,8 @@ void check_overlaps(const Scene &s, const Listing &listing)
     {
       const Shape &first = s.bodies[a].shape, &second = s.bodies[b].shape;
       Vec3         point;
+      if (blended(s, s.bodies[a].name, s.bodies[b].name))
+        continue;
       if (first.kind == ShapeKind::mesh || second.kind == ShapeKind::mesh || !find_overlap(first, second, s, point))
         continue;
       const std::string section = "Bodies/" + s.bodies[b].name;

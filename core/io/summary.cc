@@ -63,6 +63,27 @@ Json to_json(const std::optional<Summary::Limiter> &l)
           {"dt_s", number(l->dt)},
           {"share", number(l->share)}};
 }
+
+Json to_json(const std::vector<Summary::Certificate> &certificates)
+{
+  Json all = Json::array();
+  for (const Summary::Certificate &c : certificates)
+  {
+    Json figures = Json::array();
+    for (const auto &f : c.figures)
+      figures.push_back({{"wave", f.wave}, {"from", f.from}, {"wavelength_m", number(f.wavelength)},
+                         {"reflection", number(f.reflection)}});
+    all.push_back({{"interface", c.interface},
+                   {"method", c.method},
+                   {"bodies", c.bodies},
+                   {"sizes_m", c.sizes},
+                   {"wavelength_m", number(c.wavelength)},
+                   {"limit", number(c.limit)},
+                   {"worst", number(c.worst)},
+                   {"figures", figures}});
+  }
+  return all;
+}
 } // namespace
 
 std::optional<double> Summary::Quantity::relative_error() const
@@ -96,6 +117,7 @@ std::string to_json(const Summary &s)
                      {{"sph_particle_steps_per_core_s", number(s.sph_particle_steps_per_core_s)},
                       {"fem_element_steps_per_core_s", number(s.fem_element_steps_per_core_s)}}},
                     {"limiter", to_json(s.limiter)},
+                    {"certificates", to_json(s.certificates)},
                     {"warnings", s.warnings}};
   // A name of a body need not be valid UTF-8; a run must not fail on that at its end.
   return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -48,6 +48,22 @@ struct Summary
     double                share = 0;         ///< of all steps
   };
 
+  /// What a seam reflects (coupling/certificate.h).
+  struct Certificate
+  {
+    struct Figure
+    {
+      std::string wave, from; ///< "P" or "S"; body that it comes from
+      double      wavelength = 0, reflection = 0; ///< m; share of the amplitude
+    };
+    std::string                interface, method;
+    std::array<std::string, 2> bodies;
+    std::array<double, 2>      sizes{};        ///< spacing or edge, m
+    double                     wavelength = 0; ///< that the limit speaks of, m
+    double                     limit = 0, worst = 0;
+    std::vector<Figure>        figures;
+  };
+
   std::string                                 scene, title, version, commit;
   int                                         ranks = 1;
   std::string                                 dimension;
@@ -60,6 +76,7 @@ struct Summary
   Checks                                      checks;
   std::optional<double>                       sph_particle_steps_per_core_s, fem_element_steps_per_core_s;
   std::optional<Limiter>                      limiter;
+  std::vector<Certificate>                    certificates; ///< of seams that were looked at
   std::vector<std::string>                    warnings;
 };
 

@@ -199,6 +199,32 @@ TEST(Erosion, IsReadReadBackAndRefused)
             std::string::npos);
 }
 
+// Elements turn into particles where they can, and where nothing else holds on to them.
+TEST(Conversion, IsReadReadBackAndRefused)
+{
+  const auto with = [&](const std::string &more) {
+    return testing::replaced(testing::base_scene, "set method = fem\n", "set method = auto\n    " + more);
+  };
+  const Scene s = read_scene(write_file(
+    "a.prm", with("set particles per edge = 2\nset conversion step = 2 ns\nset zone radius = 3 mm\nset zone along = 0, 1\n")));
+  EXPECT_EQ(s.bodies[0].method, Method::automatic);
+  EXPECT_EQ(s.bodies[0].conversion.per_edge, 2);
+  EXPECT_EQ(s.bodies[0].conversion.step, 2e-9);
+  EXPECT_EQ(s.bodies[0].conversion.zone_radius, 3e-3);
+  const std::string resolved = write_resolved(s);
+  EXPECT_EQ(write_resolved(read_scene(write_file("resolved.prm", resolved))), resolved);
+
+  EXPECT_NE(complaint(with("set particles per edge = 1.5\n")).find("1.5 is not a whole number"), std::string::npos);
+  EXPECT_NE(complaint(with("set conversion layers = 0.5\n")).find("whole number"), std::string::npos);
+  EXPECT_NE(complaint(with("set particles per edge = 4\n")).find("particles per edge"), std::string::npos);
+  EXPECT_NE(complaint(with("set element = b-bar\n")).find("only one-point elements"), std::string::npos);
+  EXPECT_NE(complaint(with("set coarsen = 1\nset coarsen distance = 3 mm\n")).find("hanging nodes"), std::string::npos);
+  const std::string scaled = with("") + "subsection FEM\n set mass scaling step = 1 us\nend\n";
+  EXPECT_NE(complaint(scaled).find("added for the sake of the step"), std::string::npos);
+  const std::string reference = with("") + "subsection SPH\n set configuration = reference\nend\n";
+  EXPECT_NE(complaint(reference).find("reference configuration"), std::string::npos);
+}
+
 // A pressure is enough to set things going.
 TEST(StartStates, MoveThings)
 {

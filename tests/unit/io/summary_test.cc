@@ -42,7 +42,7 @@ TEST_F(SummaryFile, HasTheEntriesThatScriptsRelyOn)
   std::vector<std::string> names;
   for (const auto &[name, value] : all.items())
     names.push_back(name);
-  EXPECT_EQ(names, (std::vector<std::string>{"scene", "title", "version", "commit", "ranks", "dimension", "wall_s", "core_s", "steps", "end_time_s", "counts", "quantities", "ledger", "checks", "throughput", "limiter", "warnings"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"scene", "title", "version", "commit", "ranks", "dimension", "wall_s", "core_s", "steps", "end_time_s", "counts", "quantities", "ledger", "checks", "throughput", "limiter", "certificates", "warnings"}));
   EXPECT_EQ(all["scene"], "taylor-copper-227");
   EXPECT_EQ(all["title"], "A \"bar\"");
   EXPECT_EQ(all["steps"], std::int64_t{1} << 40);
@@ -54,6 +54,20 @@ TEST_F(SummaryFile, HasTheEntriesThatScriptsRelyOn)
   EXPECT_TRUE(all["checks"].contains("hourglass_fraction"));
   for (const char *name : {"gradient_fallbacks", "eroded_elements", "eroded_mass_share"})
     EXPECT_TRUE(all["checks"].contains(name)) << name;
+}
+
+TEST_F(SummaryFile, ListsWhatSeamsReflect)
+{
+  Summary s = example();
+  s.certificates.push_back({.interface = "seam", .method = "tied", .bodies = {"zone", "rest"}, .sizes = {1e-3, 2e-3},
+                            .wavelength = .032, .limit = .1, .worst = .05, .figures = {{"P", "zone", .032, .05}}});
+  const Json all = Json::parse(io::to_json(s))["certificates"];
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0]["interface"], "seam");
+  EXPECT_EQ(all[0]["bodies"], (Json{"zone", "rest"}));
+  EXPECT_EQ(all[0]["limit"], .1);
+  EXPECT_EQ(all[0]["figures"][0]["wave"], "P");
+  EXPECT_EQ(all[0]["figures"][0]["reflection"], .05);
 }
 
 TEST_F(SummaryFile, ComparesWithTheReference)
