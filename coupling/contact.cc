@@ -128,15 +128,15 @@ double ContactSet<dim>::gained(const Faces<dim> &faces, const ContactPair<dim> &
 }
 
 template <int dim>
-void ContactSet<dim>::bridge_death(const Faces<dim> &faces, const ContactPair<dim> &pair, const Record *old,
-                                   const List &list, Record &record)
+void ContactSet<dim>::bridge_jump(const Faces<dim> &faces, const ContactPair<dim> &pair, const Record *old,
+                                  bool death, const List &list, Record &record)
 {
   const double small = .01 * pair.half_spacing(); // less than that is no other facet
   const double due   = old ? std::max(0., old->next) : gained(faces, pair, list, record);
   const double jump  = record.depth - (old ? std::min(old->offset, record.depth) : 0) - due;
   if (jump > small)
     record.offset = record.depth - due;
-  else if (old && jump < -small)
+  else if (old && death && jump < -small)
     state_.energy.eroded += .5 * old->stiffness * (due * due - (due + jump) * (due + jump));
 }
 
@@ -154,6 +154,7 @@ template <int dim>
 void ContactSet<dim>::gather(Faces<dim> &faces)
 {
   const bool death = std::exchange(state_.topology, faces[mesh_party].topology) != faces[mesh_party].topology;
+  state_.died |= death;
   List       list;
   std::vector<int> broken; // bodies with new fragments
   for (auto &fragments : fragments_)
@@ -166,7 +167,7 @@ void ContactSet<dim>::gather(Faces<dim> &faces)
     const auto stop =
       std::find_if(old, end, [&](const Record &r) { return r.key.pair != pair.index(); });
     pair.update(faces, symmetry_axes_, fragments_of(pair));
-    const bool bridge = death || (pair.spec().meets_itself() &&
+    const bool bridge = state_.died || (pair.spec().meets_itself() &&
                                   std::find(broken.begin(), broken.end(), pair.point_body()) != broken.end());
     const std::size_t first = list.records.size();
     pair.detect(faces, {old, stop}, state_.last_drift, list, state_.lost);
@@ -177,7 +178,7 @@ void ContactSet<dim>::gather(Faces<dim> &faces)
         end_contact(*old, death);
       const bool lasts = old != stop && old->key == record.key;
       if (bridge)
-        bridge_death(faces, pair, lasts ? &*old : nullptr, list, record);
+        bridge_jump(faces, pair, lasts ? &*old : nullptr, death, list, record);
       continue_contact(faces, pair, lasts ? &*old : nullptr, list, record);
       if (lasts)
         ++old;

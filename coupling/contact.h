@@ -128,16 +128,18 @@ private:
     Point<dim>          plane_impulse = Point<dim>::Zero();
     std::int64_t        lost       = 0;
     std::uint64_t       topology   = 0; ///< of the mesh at the last gather
+    bool                died       = false; ///< the mesh has changed since the start
     StepLimit           limit;
   };
 
   /// Gives a contact found now its lasting properties and its force.
   void continue_contact(const Faces<dim> &, const ContactPair<dim> &, const Record *old, const List &, Record &);
   void begin_contact(const Faces<dim> &, const ContactPair<dim> &, const List &, Record &) const;
-  /// Where elements have died since the last gather, contacts go on without a
-  /// jump: what suddenly lies deeper has an offset, what lies less deep or has
-  /// ended gives its energy to `eroded`.
-  void   bridge_death(const Faces<dim> &, const ContactPair<dim> &, const Record *old, const List &, Record &);
+  /// Where elements have died, surfaces are ragged from then on, and contacts go on
+  /// without a jump: what suddenly lies deeper has an offset. What lies less deep or
+  /// has ended as they die gives its energy to `eroded`.
+  void   bridge_jump(const Faces<dim> &, const ContactPair<dim> &, const Record *old, bool death, const List &,
+                     Record &);
   /// Depth that the point may have gained in the last drift, m.
   double gained(const Faces<dim> &, const ContactPair<dim> &, const List &, const Record &) const;
   /// Force on a carrier of a contact, N.

@@ -61,7 +61,8 @@ void ContactSet<dim>::save(ArchiveWriter &archive, const std::string &prefix) co
                                      limit.culprit.where[1],
                                      limit.culprit.where[2],
                                      e.eroded};
-  const std::vector<std::int64_t> counts{state_.lost, static_cast<std::int64_t>(state_.topology), limit.culprit.body, limit.culprit.id};
+  const std::vector<std::int64_t> counts{state_.lost, static_cast<std::int64_t>(state_.topology), limit.culprit.body, limit.culprit.id,
+                                          state_.died};
   archive.write(prefix + "/contact_totals", totals);
   archive.write(prefix + "/contact_plane_impulse",
                 std::span<const double>(state_.plane_impulse.data(), static_cast<std::size_t>(dim)));
@@ -85,7 +86,7 @@ void ContactSet<dim>::load(const ArchiveReader &archive, const std::string &pref
   const auto     counts = archive.integers(prefix + "/contact_counts");
   constexpr auto width  = static_cast<std::size_t>(5 + 4 * dim);
   const auto     n      = names.size() / 3;
-  if (names.size() != 3 * n || values.size() != width * n || totals.size() != 13 || counts.size() != 4)
+  if (names.size() != 3 * n || values.size() != width * n || totals.size() != 13 || counts.size() != 5)
     throw InputError("the checkpoint's contacts (" + prefix + ") do not belong to this scene");
 
   State state;
@@ -120,6 +121,7 @@ void ContactSet<dim>::load(const ArchiveReader &archive, const std::string &pref
   state.plane_impulse = Eigen::Map<const Point<dim>>(planes.data());
   state.lost          = counts[0];
   state.topology      = static_cast<std::uint64_t>(counts[1]);
+  state.died          = counts[4] != 0;
   state.limit.culprit = {"contact", static_cast<int>(counts[2]), counts[3],
                          Vec3(totals[9], totals[10], totals[11]),
                          "stiffness of its contacts against its mass"};
