@@ -101,8 +101,7 @@ void ContactPair<dim>::size_up(const Faces<dim> &faces)
            0;
   if (dim > 1 || other_party_ == particle_party)
     size_ = std::max(size_, point_size);
-  const double apart = point_party_ == particle_party ? point_size : own_finest_;
-  crowd_ = apart > 0 && std::isfinite(size_) ? std::max(1., std::pow(size_ / apart, dim - 1)) : 1;
+  apart_        = point_party_ == particle_party ? point_size : own_finest_;
   max_depth_    = deepest * size_;
   half_spacing_ = .5 * (point_size > 0 ? std::min(point_size, size_) : size_);
   // Nothing to measure by: a lone end point, met by nodes. It has one side.
@@ -437,17 +436,25 @@ double ContactPair<dim>::crowded_inverse_mass(const Faces<dim> &faces, const Lis
 {
   const auto &masses  = faces[other_party_].mass;
   const auto  carried = list.of(record);
+  const auto  crowd   = [&](double size) {
+    return apart_ > 0 ? std::max(1., std::pow(size / apart_, dim - 1)) : 1.;
+  };
   if (meeting_ == Meeting::balls)
     return 0;
   if (other_party_ == particle_party)
   {
     const double sum = field_.sum_of_slopes();
-    return .5 * (1 + sum) * sum * crowd_ / masses[carried.front().index];
+    return .5 * (1 + sum) * sum * crowd(size_) / masses[carried.front().index];
   }
-  double sum = 0;
-  for (const auto &carrier : carried)
-    sum += std::abs(carrier.weight) / masses[carrier.index];
-  return crowd_ * sum;
+  double     sum = 0, edge = 0;
+  const auto place = [&](std::size_t k) { return faces.position(mesh_party, carried[k].index); };
+  const auto first = carried.size() - Facet::n_nodes; // before it: the side, if past a rim
+  for (std::size_t k = first; k < carried.size(); ++k)
+  {
+    sum += std::abs(carried[k].weight) / masses[carried[k].index];
+    edge = std::max(edge, (place(k) - place(k + 1 < carried.size() ? k + 1 : first)).norm());
+  }
+  return crowd(edge) * sum;
 }
 
 template <int dim>

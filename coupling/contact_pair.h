@@ -22,7 +22,6 @@ struct ContactSpec
   int         first = 0, second = 0; ///< index into Scene::bodies
   Party       first_party  = mesh_party;
   Party       second_party = mesh_party;
-  double      first_radius = 0, second_radius = 0; ///< of particles that may come later, m
   double      friction  = 0;  ///< Coulomb coefficient
   double      stiffness = .1; ///< share of m_eff/dt^2, <= .1
   std::string overlap   = "rest"; ///< at the start, as in a scene: rest, heal or refuse
@@ -30,6 +29,7 @@ struct ContactSpec
   /// solver joins them, m, by their places of t = 0 or of now.
   double      joined_within   = 0;
   bool        joined_at_start = false;
+  double      first_radius = 0, second_radius = 0; ///< of particles that may come later, m
 
   bool meets_itself() const { return first == second && first_party == second_party; }
 };
@@ -210,7 +210,7 @@ private:
   double        facet_size_   = 0; ///< mean edge of the other side's facets, m
   double        finest_       = 0; ///< least of them, m
   double        own_finest_   = 0; ///< of the points' side where they are nodes, m
-  double        crowd_        = 1; ///< points that a place of the other side carries in a closed layer
+  double        apart_        = 0; ///< least distance of the points in a closed layer, m; 0: a lone one
   double        size_         = 0; ///< typical facet edge or particle spacing of the other side, m
   double        max_depth_    = 0;
   double        half_spacing_ = 0;

@@ -219,7 +219,16 @@ template <int dim>
 Stand<dim> ContactPair<dim>::entering_itself(const Faces<dim> &faces, std::size_t query, double last_drift) const
 {
   const double     tolerance = flush_share * half_spacing_;
-  const Stand<dim> stand     = nearest(faces, query, [](const Foot<dim> &, const Facet &) { return true; });
+  const Point<dim> p         = faces.position(point_party_, points_[query]);
+  double           clear     = std::numeric_limits<double>::infinity();
+  for (const std::uint32_t f : list_.of(query))
+    clear = std::min(clear, (p - balls_[f].middle).norm() - balls_[f].reach);
+  if (clear > 2 * tolerance) // most nodes: outside of all balls
+  {
+    safe_[query] = travel_ + clear - 2 * tolerance;
+    return {};
+  }
+  const Stand<dim> stand = nearest(faces, query, [](const Foot<dim> &, const Facet &) { return true; });
   safe_[query] = stand.found ? travel_ + std::abs(stand.distance) - 2 * tolerance : 0;
   if (!stand.found)
     return stand;

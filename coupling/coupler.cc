@@ -25,9 +25,14 @@ Party party_of(const input::Scene &scene, int body)
 /// What a body is made of, or may be in time.
 std::vector<Party> parties_of(const input::Scene &scene, int body)
 {
-  if (scene.bodies[body].method == input::Method::automatic)
-    return {mesh_party, particle_party};
-  return {party_of(scene, body)};
+  return scene.bodies[body].method == input::Method::automatic ? std::vector<Party>{mesh_party, particle_party} :
+                                                                 std::vector<Party>{party_of(scene, body)};
+}
+
+/// Of the particles that a body's elements may turn into, m; 0 for other bodies.
+double coming_radius(const input::Body &body)
+{
+  return body.method == input::Method::automatic ? .5 * body.spacing / body.conversion.per_edge : 0.;
 }
 
 /// Which pairs of a body of particles are the particle solver's: within its
@@ -43,12 +48,6 @@ void set_joined(const input::Scene &scene, ContactSpec &spec)
   spec.joined_within   = (options.kernel == "quintic" ? 3 : 2) * options.h_over_dx * spacing;
   if (spec.joined_at_start)
     spec.joined_within = std::max(spec.joined_within, 3.5 * spacing);
-}
-
-/// Of the particles that a body's elements may turn into, m; 0 for other bodies.
-double coming_radius(const input::Body &body)
-{
-  return body.method == input::Method::automatic ? .5 * body.spacing / body.conversion.per_edge : 0.;
 }
 
 /// Seams of particles and elements: those of the scene, and one within each body

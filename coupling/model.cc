@@ -4,8 +4,8 @@
 #include "core/base/error.h"
 #include "core/materials/hugoniot.h"
 #include "core/materials/started_material.h"
-#include "coupling/joined_sample.h"
 #include "coupling/healing.h"
+#include "coupling/joined_sample.h"
 #include "coupling/stopwatch.h"
 #include "fem/mesh.h"
 #include "sph/fill.h"
@@ -144,6 +144,7 @@ Model<dim>::Model(const input::Scene &scene, const Setup &setup)
   {
     const auto healed = coupler_->healed();
     coupler_.reset();
+    conversion_.reset();
     mesh_notes_.clear();
     contact_bodies_.clear();
     build(scene, setup, moves);

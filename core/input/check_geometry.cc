@@ -60,6 +60,11 @@ void check_kind(const Place &p)
       if (i.mesh == p.body.name || i.slave == p.body.name || i.master == p.body.name)
         p.refuse("element", "the interface \"" + i.name + "\" ties the body, and ties know no spectral shape functions",
                  "\"one-point\" or \"b-bar\", or no such interface");
+  if (d != Dimension::uniaxial && (element == "b-bar" || element == "full"))
+    for (const Interface &i : p.scene.interfaces)
+      if (i.mesh == p.body.name && i.method == "pair-flux")
+        p.refuse("element", "the seam \"" + i.name + "\" feeds on noise next to elements that it cannot damp",
+                 "\"one-point\", or method = tied in Interfaces/" + i.name);
   if (element == "spectral" && p.body.method != Method::sph && p.body.coarsen > 0)
     p.refuse("coarsen", "spectral elements have no hanging nodes", "another element, or a mesh without coarsening");
   if (d != Dimension::axisymmetric && p.body.method != Method::sph && element == "area-weighted")

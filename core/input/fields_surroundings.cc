@@ -87,6 +87,8 @@ void interface_fields(Fields &f, Interface &i)
   f.number({"tolerance", "gap that is closed between two bodies of elements, in edges of the master's facet",
             Need::optional, {"slave", {}}},
            i.tolerance, bounds::positive_fraction);
+  if (i.joins_meshes())
+    i.method = "tied";
 }
 
 void contact_fields(Fields &f, Contact &c)

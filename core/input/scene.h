@@ -181,12 +181,12 @@ struct Boundary
 struct Interface
 {
   std::string name;
-  std::string method = "tied"; ///< "tied", "pair-flux", "blended"
+  std::string method = "pair-flux"; ///< "tied", "pair-flux", "blended"
   std::string particles, mesh; ///< bodies
   std::string body{};          ///< one body with method automatic, in place of the two above
   double      damping = .1;    ///< of the elements at the seam: stress over that of strain in the time H/c; pair flux
   double      pair_viscosity = 1; ///< on what a pair at the seam has left of its velocities; pair flux
-  std::string certificate = "skip"; ///< "check", "warn", "skip": what a run makes of too strong a reflection
+  std::string certificate = "check"; ///< "check", "warn", "skip": what a run makes of too strong a reflection
   double      reflection_limit = .1; ///< amplitude of the echo of a wave of certificate_wavelength
   double      certificate_wavelength = 0; ///< m; 0: 32 particle spacings
   std::string slave{}, master{}; ///< bodies of elements, in place of the two above

@@ -126,6 +126,20 @@ TEST(GoodScenes, HoldLoadsTiesAndCoarsening)
   EXPECT_EQ(write_resolved(read_scene(write_file("resolved.prm", resolved))), resolved);
 }
 
+// One body twice: it meets itself. Overlaps are at rest unless it is said.
+TEST(GoodScenes, LetABodyMeetItself)
+{
+  auto text = replaced(base_scene, "set contacts = strike", "set contacts = strike, itself");
+  text      = replaced(text, "subsection Contacts\n",
+                       "subsection Contacts\n  subsection itself\n    set between = zone, zone\n    set overlap = refuse\n  end\n");
+  const Scene s = read_scene(write_file("itself.prm", text));
+  ASSERT_EQ(s.contacts.size(), 2u);
+  EXPECT_EQ(s.contacts[0].overlap, "rest");
+  EXPECT_EQ(s.contacts[1].first, "zone");
+  EXPECT_EQ(s.contacts[1].second, "zone");
+  EXPECT_EQ(s.contacts[1].overlap, "refuse");
+}
+
 TEST(GoodScenes, AreNamedAfterTheirFolderOrFile)
 {
   const std::string file = write_file("scene.prm", base_scene);

@@ -158,6 +158,29 @@ TEST(Subcycling, ManyStepsOfParticlesLeaveTheReboundAsItIs)
   }
 }
 
+// A tail of elements a fifth of the others, so that tied particles are the coarse side.
+TEST(Subcycling, ManyStepsOfElementsLeaveTheReboundAsItIs)
+{
+  auto scene = split_bar(.5e-3, .5e-3);
+  scene.bodies[1].shape.upper[0] = .9 * length;
+  add_box(scene, "tail", input::Method::fem, {.9 * length, 0, 0}, {length, 0, 0}, .1e-3, {-speed, 0, 0});
+  input::Interface tie;
+  tie.name   = "tie";
+  tie.slave  = "tail";
+  tie.master = "rest";
+  scene.interfaces.push_back(tie);
+  const auto plain = rebound(scene);
+  for (const double steps : {2., 4., 8.})
+  {
+    const auto parts = rebound(with_parts(scene, "elements", steps));
+    EXPECT_GE(parts.most, 2);
+    EXPECT_NEAR(parts.contact, plain.contact, .005);
+    EXPECT_NEAR(parts.velocity, plain.velocity, .005);
+    EXPECT_LE(parts.error, .005);
+    EXPECT_LE(parts.drift, 1e-12);
+  }
+}
+
 // Equal bars that meet exchange their velocities (the wave equation).
 TEST(Subcycling, BarsThatMeetExchangeTheirVelocitiesEitherWay)
 {
