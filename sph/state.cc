@@ -3,6 +3,8 @@
 
 #include "core/base/error.h"
 
+#include <algorithm>
+
 namespace ogive::sph
 {
 /// Lists from the positions they were built at, then gradients and forces at
@@ -108,7 +110,13 @@ void Solver<dim>::Implementation::read_ranges(const ArchiveReader &in, const std
   store.resize(n);
   size_arrays();
   for (auto &body : bodies)
+  {
+    std::fill(store.body.begin() + static_cast<std::ptrdiff_t>(body.first),
+              store.body.begin() + static_cast<std::ptrdiff_t>(body.last), body.scene);
+    std::fill(store.body.begin() + static_cast<std::ptrdiff_t>(body.first_rider),
+              store.body.begin() + static_cast<std::ptrdiff_t>(body.last_rider), -1);
     prepare_riders(body);
+  }
 }
 
 template <int dim>

@@ -45,6 +45,11 @@ void restart_equals_unbroken(std::vector<std::string> arguments)
   ASSERT_EQ(restart.status, 0) << restart.err;
 
   EXPECT_EQ(read_file(whole + "/history.csv"), read_file(broken + "/history.csv"));
+  ASSERT_EQ(fs::exists(whole + "/conversions.csv"), fs::exists(broken + "/conversions.csv"));
+  if (fs::exists(whole + "/conversions.csv"))
+  {
+    EXPECT_EQ(read_file(whole + "/conversions.csv"), read_file(broken + "/conversions.csv"));
+  }
   const auto ends = checkpoints(broken);
   EXPECT_EQ(fs::path(kept.back()).filename(), fs::path(ends.back()).filename());
   EXPECT_TRUE(read_file(kept.back()) == read_file(ends.back())) << "final checkpoints differ";
@@ -57,6 +62,16 @@ TEST(Restart, PlateThroughContactAndTiedInterface)
                            "Bodies/plate-zone/spacing=3 mm", "--set", "Bodies/plate-rest/spacing=6 mm", "--set",
                            "end time=12 us", "--set", "Output/checkpoint interval=2 us", "--set",
                            "Output/history interval=0.5 us", "--set", "Output/field interval=4 us"});
+}
+
+// Elements turn into particles before and after the checkpoint, under contact and
+// beside a seam that moves.
+TEST(Restart, PlateThroughConversion)
+{
+  restart_equals_unbroken({scene("plate-weldox-blunt/auto.prm"), "--set", "Bodies/projectile/spacing=2 mm", "--set",
+                           "Bodies/plate/spacing=1 mm", "--set", "Bodies/plate/spacing far=8 mm", "--set",
+                           "end time=12 us", "--set", "Output/checkpoint interval=1 us", "--set",
+                           "Output/field interval=4 us"});
 }
 
 TEST(Restart, ParticlesOnAWall)

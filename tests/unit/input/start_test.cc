@@ -206,7 +206,7 @@ TEST(Conversion, IsReadReadBackAndRefused)
     return testing::replaced(testing::base_scene, "set method = fem\n", "set method = auto\n    " + more);
   };
   const Scene s = read_scene(write_file(
-    "a.prm", with("set particles per edge = 2\nset conversion step = 2 ns\nset zone radius = 3 mm\nset zone along = 0, 1\n")));
+    "a.prm", with("set particles per edge = 2\nset conversion step = 2 ns\nset zone radius = 3 mm\nset zone along = 0, 0, 1\n")));
   EXPECT_EQ(s.bodies[0].method, Method::automatic);
   EXPECT_EQ(s.bodies[0].conversion.per_edge, 2);
   EXPECT_EQ(s.bodies[0].conversion.step, 2e-9);

@@ -200,7 +200,7 @@ const WrongScene wrong_scenes[] = {
   {"end time zero", "set end time = 60 us", "set end time = 0 s", "end time", "end time", "out of bounds", "> 0"},
   {"not a dimension", "set dimension = 3d", "set dimension = 3D", "dimension", "dimension", "not known",
    "did you mean \"3d\"?"},
-  {"method auto", "set method = sph", "set method = auto", "method = auto", "Bodies/zone/method", "not known",
+  {"no method", "set method = sph", "set method = mixed", "method = mixed", "Bodies/zone/method", "not known",
    "one of fem, sph"},
   {"unknown law", "set law = perfect-plastic", "set law = perfectly-plastic", "perfectly",
    "Materials/clay/Strength/law", "not known", "did you mean \"perfect-plastic\"?"},

@@ -112,7 +112,7 @@ TEST(WrongScenes, EachIsNamedWithItsPlace)
 TEST(WrongScenes, OverridesAreCheckedTheSameWay)
 {
   const std::string file = write_file("scene.prm", base_scene);
-  expect_part(message_of(file, {"Bodies/zone/method=auto"}), "--set: \"Bodies/zone/method\": \"auto\" is not known");
+  expect_part(message_of(file, {"Bodies/zone/method=mixed"}), "--set: \"Bodies/zone/method\": \"mixed\" is not known");
   expect_part(message_of(file, {"Bodies/zone/metod=fem"}), "did you mean \"method\"?");
   expect_part(message_of(file, {"Bodies/zoen/method=fem"}), "did you mean \"Bodies/zone\"?");
   expect_part(message_of(file, {"end time"}), "no \"=\"");
