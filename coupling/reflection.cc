@@ -103,13 +103,20 @@ void hold_sides(input::Scene &scene, bool odd)
       }
 }
 
+/// How far the particles reach into the elements: least of what the method takes.
+double overlap(const SeamSpec &seam)
+{
+  const auto &[a, b] = seam.side;
+  return seam.join.method == "blended" ? whole(std::max(4 * seam.sph.h_over_dx * a.size, 2 * b.size), a.size) : 0.;
+}
+
 /// The seam at x = 0, side 0 below it.
 input::Scene with_seam(const SeamSpec &seam, const Strip &strip, int from, bool odd)
 {
   input::Scene scene = strip_scene(seam);
   const double in = 2 * strip.start + strip.path, out = .5 * strip.path + 4 * strip.sigma;
   const auto  &a = seam.side[0], &b = seam.side[1];
-  scene.bodies.push_back(strip_body(a, -whole(from == 0 ? in : out, a.size), 0, strip.width));
+  scene.bodies.push_back(strip_body(a, -whole(from == 0 ? in : out, a.size), overlap(seam), strip.width));
   scene.bodies.push_back(strip_body(b, 0, whole(from == 1 ? in : out, b.size), strip.width));
   input::Interface join = seam.join;
   join.body.clear();
@@ -198,6 +205,8 @@ Pair run_both(const SeamSpec &seam, const Strip &strip, int from, bool odd,
   for (std::size_t i = 0; i < now.mass.size(); ++i)
   {
     const Vec3 x     = at(now.x0, i, dim);
+    if (from == 0 && x[0] > 0) // within the elements
+      continue;
     const auto found = single_at.find(name(x));
     require(found != single_at.end(), "both runs have the same points on the incident side");
     pair.mass.push_back(pair.single.mass[found->second]);

@@ -23,7 +23,8 @@ struct SeamSide
 };
 
 /// A flat seam: side 0 is the particles, or the slave of two meshes, side 1 the
-/// mesh, or the master.
+/// mesh, or the master. With method "blended" the particles reach into the mesh
+/// as far as they must.
 struct SeamSpec
 {
   std::array<SeamSide, 2> side;

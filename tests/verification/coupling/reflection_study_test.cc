@@ -51,6 +51,9 @@ TEST_P(ReflectionStudy, Table)
         EXPECT_LT(row_of(method, ratio, from, degrees, 16), 1);
     }
 }
-INSTANTIATE_TEST_SUITE_P(Methods, ReflectionStudy, testing::Values("tied", "pair-flux"),
-                         [](const auto &info) { return std::string(info.param) == "tied" ? "Tied" : "PairFlux"; });
+INSTANTIATE_TEST_SUITE_P(Methods, ReflectionStudy, testing::Values("tied", "pair-flux", "blended"),
+                         [](const auto &info) {
+                           const std::string method = info.param;
+                           return method == "tied" ? "Tied" : method == "blended" ? "Blended" : "PairFlux";
+                         });
 } // namespace ogive::coupling

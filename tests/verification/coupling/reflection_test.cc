@@ -120,6 +120,14 @@ TEST(Reflection, OfThePairFluxAtThirtyTwoSpacings)
   }
 }
 
+TEST(Reflection, OfABlendedSeamIsBelowThatOfATiedOne)
+{
+  for (const int from : {0, 1})
+    for (const double spacings : {16., 32.})
+      EXPECT_LT(reflection(strip("blended", 1, true), {.from = from}, spacings * dx),
+                .5 * reflection(strip("tied", 1, true), {.from = from}, spacings * dx));
+}
+
 // A strip in plane strain between odd mirrors.
 TEST(Reflection, OfShearByThePairFlux)
 {

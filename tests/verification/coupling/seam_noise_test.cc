@@ -106,6 +106,11 @@ TEST(SeamNoise, PairFluxOfLargerElementsDecays)
   expect_decay<2>({.ratio = 2}, steps);
   expect_decay<2>({.ratio = 4}, steps);
 }
+TEST(SeamNoise, BlendedDecays)
+{
+  expect_decay<2>({.method = "blended"}, steps);
+  expect_decay<2>({.method = "blended", .ratio = 2}, steps);
+}
 TEST(SeamNoise, TiedBBarDecays) { expect_decay<2>({.method = "tied", .element = "b-bar"}, steps); }
 TEST(SeamNoise, PairFluxInAxialSymmetryDecays)
 {

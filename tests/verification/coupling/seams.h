@@ -36,6 +36,8 @@ inline input::Scene scene_of(const Blocks &b)
     scenes::add_box(scene, "all", b.alone, down, b.half, b.alone == input::Method::sph ? dx : b.ratio * dx, Vec3::Zero());
     return scene;
   }
+  if (b.method == "blended") // two supports, two elements
+    up[across] = dx * std::ceil(std::max(4 * scene.sph.h_over_dx, 2 * b.ratio));
   scenes::add_box(scene, "zone", input::Method::sph, down, up, dx, Vec3::Zero());
   scenes::add_box(scene, "rest", input::Method::fem, Vec3::Zero(), b.half, b.ratio * dx, Vec3::Zero());
   scene.interfaces.push_back({"seam", b.method, "zone", "rest"});
