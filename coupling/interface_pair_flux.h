@@ -65,6 +65,8 @@ private:
   void       balance_areas(const Faces<dim> &);
   void       save_riders(ArchiveWriter &, const std::string &prefix) const;
   void       load_riders(const ArchiveReader &, const std::string &prefix);
+  bool       feet_are_current() const;
+  void       adopt_feet(bool current);
   Point<dim> velocity_at(const Faces<dim> &, const Foothold &) const;
 
   InterfaceSpec                                    spec_;
@@ -88,6 +90,7 @@ private:
   std::vector<Point<dim>>                          edge_force_, edge_velocity_before_; ///< of the step
   std::uint64_t                                    topology_ = 0;
   bool                                             adopt_ = false; ///< the feet are those of the lists in place
+  bool                                             kept_current_ = false;
   std::vector<Point<dim>>                          force_, velocity_before_; ///< of the step, by foothold
   std::vector<std::uint32_t>                       damped_;
   InterfaceEnergy                                  energy_, kept_;

@@ -5,11 +5,26 @@
 /// What a pair flux remembers.
 namespace ogive::coupling
 {
+// Lists that were renewed in the last step have no feet yet: the next gather finds them.
+template <int dim>
+bool PairFluxInterface<dim>::feet_are_current() const
+{
+  return adopt_ || topology_ == particles_.surface().topology;
+}
+
+template <int dim>
+void PairFluxInterface<dim>::adopt_feet(bool current)
+{
+  adopt_    = current;
+  topology_ = 0; // of no lists
+}
+
 template <int dim>
 void PairFluxInterface<dim>::snapshot()
 {
   kept_      = energy_;
   kept_feet_ = feet_;
+  kept_current_ = feet_are_current();
   kept_edges_ = edges_;
 }
 
@@ -19,7 +34,7 @@ void PairFluxInterface<dim>::restore()
   energy_ = kept_;
   feet_   = kept_feet_;
   edges_  = kept_edges_;
-  adopt_  = true;
+  adopt_feet(kept_current_);
 }
 
 template <int dim>
@@ -44,6 +59,7 @@ void PairFluxInterface<dim>::save(ArchiveWriter &archive, const std::string &pre
   archive.write(prefix + "/edges", areas);
   archive.write(prefix + "/edges_ends", ends);
   archive.write(prefix + "/feet", numbers);
+  archive.write(prefix + "/feet_current", static_cast<std::int64_t>(feet_are_current()));
   archive.write(prefix + "/feet_names", names);
 }
 
@@ -80,7 +96,7 @@ void PairFluxInterface<dim>::load(const ArchiveReader &archive, const std::strin
       edges_[e].area[a] = areas[e * dim + a];
   }
   energy_ = kept_ = {numbers[0], numbers[1]};
-  adopt_  = true;
+  adopt_feet(archive.integer(prefix + "/feet_current") != 0);
 }
 
 template <int dim>
@@ -140,6 +156,8 @@ void PairFluxInterface<dim>::load_riders(const ArchiveReader &archive, const std
 }
 
 #define OGIVE_INSTANTIATE(dim)                                                                               \
+  template bool PairFluxInterface<dim>::feet_are_current() const;                                            \
+  template void PairFluxInterface<dim>::adopt_feet(bool);                                                    \
   template void PairFluxInterface<dim>::snapshot();                                                          \
   template void PairFluxInterface<dim>::restore();                                                           \
   template void PairFluxInterface<dim>::save(ArchiveWriter &, const std::string &) const;                    \
