@@ -36,7 +36,7 @@ public:
   }
   void copy_state(std::uint32_t element, materials::Points &to, std::size_t k) const override
   {
-    solver_.copy_state(element, to, k);
+    solver_.copy_pressing_state(element, to, k);
   }
   void weigh(int body, std::span<const std::uint32_t> elements, std::span<const double> shares) override
   {

@@ -59,6 +59,7 @@ public:
   };
   // Asked by interfaces that continue particles into the mesh.
   virtual Cells cells(int) const { throw InputError("this mesh does not name its cells"); }
+  /// State of an element with all the stress that it presses its neighbours with.
   virtual void  copy_state(std::uint32_t, materials::Points &, std::size_t) const {}
   virtual void  damp(int, std::span<const std::uint32_t>, double) {}
   /// See fem::Solver.

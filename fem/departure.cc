@@ -37,7 +37,7 @@ auto Solver<dim>::Implementation::find(std::uint32_t element) const -> Place
   std::size_t g = 0;
   while (g + 1 < parts.size() && element >= parts[g + 1].first_element)
     ++g;
-  require(element - parts[g].first_element < groups[g]->size(), "no such element");
+  require(element - parts[g].first_element < groups[g]->cells(), "no such element");
   return {g, element - parts[g].first_element};
 }
 

@@ -91,6 +91,8 @@ public:
   };
   /// History of a cell, the mean over its points, into entry k.
   virtual void copy_state(std::size_t cell, materials::Points &, std::size_t k) const = 0;
+  /// Adds the stress of damp() in a cell to entry k.
+  virtual void add_damping_stress(std::size_t, materials::Points &, std::size_t) const {}
   /// Viscous stress `share` (L/c) C : D in these elements, in none else; L the
   /// size of an element. One-point elements only; others have none.
   virtual void damp(std::span<const std::size_t>, double) {}

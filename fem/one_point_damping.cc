@@ -56,6 +56,13 @@ void OnePointGroup<Element>::damp(std::span<const std::size_t> elements, double 
 }
 
 template <class Element>
+void OnePointGroup<Element>::add_damping_stress(std::size_t e, materials::Points &to, std::size_t k) const
+{
+  for (std::size_t c = 0; c < 6 && !damping_share_.empty(); ++c)
+    to.sigma[c][k] += damping_stress_[c][e];
+}
+
+template <class Element>
 void OnePointGroup<Element>::prepare_damping()
 {
   damping_share_.assign(padded_n_, 0.);

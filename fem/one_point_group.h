@@ -39,6 +39,7 @@ public:
   void       for_each_state(const Visitor &) override;
 
   void copy_state(std::size_t e, materials::Points &to, std::size_t k) const override;
+  void add_damping_stress(std::size_t e, materials::Points &to, std::size_t k) const override;
   void damp(std::span<const std::size_t>, double share) override;
 
   using typename ElementGroup<dim>::Remains;

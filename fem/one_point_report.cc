@@ -206,8 +206,6 @@ void OnePointGroup<Element>::copy_state(std::size_t e, materials::Points &to, st
   std::size_t f = 0;
   const_cast<materials::Points &>(points_).for_each_array(
     [&](const char *, AlignedVector<double> &field) { (*fields[f++])[k] = field[e]; });
-  for (std::size_t c = 0; c < 6 && !damping_share_.empty(); ++c)
-    to.sigma[c][k] += damping_stress_[c][e];
 }
 
 template class OnePointGroup<Line2>;

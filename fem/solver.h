@@ -120,6 +120,8 @@ public:
   Cells cells(int body) const;
   /// History of an element, the mean over its points, into entry k.
   void copy_state(std::uint32_t element, materials::Points &, std::size_t k) const;
+  /// The same with the stress of damp(): what an element presses its neighbours with.
+  void copy_pressing_state(std::uint32_t element, materials::Points &, std::size_t k) const;
   /// Viscous stress `share` (L/c) C : D in these elements of a body (numerics: the
   /// damping of stiffness at a seam), in none of its others.
   void damp(int body, std::span<const std::uint32_t> elements, double share);

@@ -249,12 +249,9 @@ template <int dim>
 bool Solver<dim>::embed(std::uint32_t element, const std::array<double, dim> &point, double reach,
                         Embedding &out) const
 {
-  const auto &s = *self_;
-  std::size_t g = 0;
-  while (g + 1 < s.parts.size() && element >= s.parts[g + 1].first_element)
-    ++g;
-  require(element - s.parts[g].first_element < s.groups[g]->cells(), "no such element");
-  out.node = s.groups[g]->nodes(element - s.parts[g].first_element);
+  const auto       &s = *self_;
+  const auto [g, e]   = s.find(element);
+  out.node            = s.groups[g]->nodes(e);
   std::array<std::array<double, dim>, Embedding::n_nodes> x;
   for (int a = 0; a < Embedding::n_nodes; ++a)
     for (int i = 0; i < dim; ++i)
@@ -280,11 +277,16 @@ auto Solver<dim>::cells(int body) const -> Cells
 template <int dim>
 void Solver<dim>::copy_state(std::uint32_t element, materials::Points &to, std::size_t k) const
 {
-  const auto &s = *self_;
-  std::size_t g = 0;
-  while (g + 1 < s.parts.size() && element >= s.parts[g + 1].first_element)
-    ++g;
-  s.groups[g]->copy_state(element - s.parts[g].first_element, to, k);
+  const auto [g, e] = self_->find(element);
+  self_->groups[g]->copy_state(e, to, k);
+}
+
+template <int dim>
+void Solver<dim>::copy_pressing_state(std::uint32_t element, materials::Points &to, std::size_t k) const
+{
+  copy_state(element, to, k);
+  const auto [g, e] = self_->find(element);
+  self_->groups[g]->add_damping_stress(e, to, k);
 }
 
 template <int dim>
