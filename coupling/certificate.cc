@@ -24,6 +24,20 @@ SeamSide side_of(const input::Body &body)
           body.element};
 }
 
+/// Neither side carries waves of less than four sizes; the strip, and its price,
+/// grow with the wave.
+void check_wavelength(const input::Interface &join, double size)
+{
+  constexpr double least = 4, most = 256;
+  const double     wave  = join.certificate_wavelength;
+  if (wave > 0 && (wave < least * size * (1 - 1e-9) || wave > most * size))
+    throw InputError({"", 0, "Interfaces/" + join.name + "/certificate wavelength"},
+                     wave < least * size ? "elements or particles of " + engineering(size) + " m carry no wave of " +
+                                             engineering(wave) + " m" :
+                                           "a wave of " + engineering(wave) + " m is longer than need be measured",
+                     "from " + engineering(least * size) + " m to " + engineering(most * size) + " m");
+}
+
 CertifiedSeam make_seam(const input::Scene &scene, const input::Interface &join, const SeamSide &a, const SeamSide &b,
                         const std::string &material)
 {
@@ -36,6 +50,7 @@ CertifiedSeam make_seam(const input::Scene &scene, const input::Interface &join,
   for (const auto &m : scene.materials)
     if (m.name == material)
       seam.spec.material = m;
+  check_wavelength(join, std::max(a.size, b.size));
   seam.wavelength = join.certificate_wavelength > 0 ? join.certificate_wavelength : 32 * std::min(a.size, b.size);
   return seam;
 }

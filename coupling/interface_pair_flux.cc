@@ -6,6 +6,8 @@
 #include "coupling/search.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <sstream>
@@ -19,6 +21,21 @@ std::vector<AlignedVector<double> *> fields_of(materials::Points &points)
   std::vector<AlignedVector<double> *> all;
   points.for_each_array([&](const char *, AlignedVector<double> &field) { all.push_back(&field); });
   return all;
+}
+/// Distance of the nearest particle from the mesh, m: for a message alone.
+template <int dim>
+double nearest_particle(const Faces<dim> &faces, const InterfaceSpec &spec)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto &facet : true_facets(faces[mesh_party], spec.mesh, spec.symmetry_axes))
+  {
+    std::array<Point<dim>, Surface<dim>::Facet::n_nodes> corner;
+    for (std::size_t k = 0; k < corner.size(); ++k)
+      corner[k] = faces.position(mesh_party, facet.node[k]);
+    for (const std::uint32_t i : body_points(faces[particle_party], spec.particles))
+      least = std::min(least, foot_on_facet<dim>(faces.position(particle_party, i), corner, facet.outward).distance2);
+  }
+  return std::sqrt(least);
 }
 } // namespace
 
@@ -39,7 +56,8 @@ PairFluxInterface<dim>::PairFluxInterface(const InterfaceSpec &spec, MeshPort<di
     std::ostringstream message;
     message << "interface \"" << spec_.name << "\": no particle of body \"" << spec_.particle_body
             << "\" stands within one spacing (" << spacing_ << " m) in front of the surface of body \""
-            << spec_.mesh_body << "\"";
+            << spec_.mesh_body << "\"; the nearest is "
+            << nearest_particle<dim>(faces, spec_) << " m away";
     throw InputError({"", 0, "Interfaces/" + spec_.name}, message.str());
   }
   const auto with_riders = Faces<dim>::look(&mesh_, &particles_);
@@ -282,7 +300,7 @@ void PairFluxInterface<dim>::close(const Faces<dim> &faces, const Slaves<dim> &,
       .5 * step.kick *
       edge_force_[e].dot(faces.velocity(mesh_party, edges_[e].node[0]) - faces.velocity(mesh_party, edges_[e].node[1]) +
                          edge_velocity_before_[e]);
-  energy_.work_on_particles = particles_.seam_work();
+  energy_.work_on_particles = particles_.seam_work(spec_.particles);
 }
 
 template class PairFluxInterface<1>;

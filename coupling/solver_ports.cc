@@ -82,7 +82,7 @@ public:
     solver_.seam_normals(body, area);
   }
   void weigh(std::span<const std::int64_t> ids, std::span<const double> shares) override { solver_.weigh(ids, shares); }
-  double                              seam_work() const override { return solver_.seam_work(); }
+  double                              seam_work(int body) const override { return solver_.seam_work(body); }
   typename ParticlePort<dim>::Lattice lattice(int body) const override
   {
     return {solver_.cell(body), solver_.reach(body)};

@@ -97,7 +97,7 @@ public:
   virtual void   set_seam_hourglass(int, double) {}
   virtual void   seam_forces(int, const std::array<std::span<double>, dim> &) const {}
   virtual void   seam_normals(int, const std::array<std::span<double>, dim> &) {}
-  virtual double seam_work() const { return 0; }
+  virtual double seam_work(int) const { return 0; }
   virtual void   weigh(std::span<const std::int64_t>, std::span<const double>)
   {
     throw InputError("these particles share nothing");

@@ -140,8 +140,7 @@ StepLimit Solver<dim>::stable_dt() const
   limit.dt *= self_->sharpening[0] * self_->parameters.options.step_factor;
   // The bound of elements holds for their own corner masses; where tied particles
   // take mass from a node, w^2 grows by no more than that node's loss.
-  if (self_->parts_of_step.on())
-    limit.dt *= std::sqrt(self_->least_factor);
+  limit.dt *= std::sqrt(self_->least_factor);
   return limit;
 }
 

@@ -128,6 +128,7 @@ void Solver<dim>::Implementation::put(const Newcomers<dim> &in, std::size_t firs
     store.mass[first + k]          = in.mass[k];
     store.swept_density[first + k] = in.points.density[k];
     store.switch_factor[first + k] = 0;
+    store.rest_share[first + k]    = 1;
   }
 }
 
@@ -147,6 +148,24 @@ void Solver<dim>::Implementation::settle()
   forces();
   if (store.in_parts)
     store.v.swap(store.v_strain);
+}
+
+/// Newcomers of squeezed elements stand closer to a wall than half of their cell
+/// at the start: there they lie. To land them farther out would be a blow.
+template <int dim>
+void Solver<dim>::Implementation::fit_between_walls(const Body &body, std::size_t first, std::size_t last)
+{
+  constexpr double least = 1e-3;
+  for (std::size_t i = first; i < last; ++i)
+    for (std::size_t w = 0; w < parameters.walls.size(); ++w)
+    {
+      const auto &wall     = parameters.walls[w];
+      double      distance = 0;
+      for (int a = 0; a < dim; ++a)
+        distance += wall.normal[a] * (store.x[a][i] - wall.point[a] - wall.velocity[a] * time);
+      const double share = distance / rest_gap(body, i, w);
+      store.rest_share[i] *= std::clamp(share, least, 1.);
+    }
 }
 
 template <int dim>
@@ -187,6 +206,7 @@ std::vector<std::int64_t> Solver<dim>::add(const Newcomers<dim> &in)
     other.first_rider += m;
     other.last_rider += m;
   }
+  s.fit_between_walls(body, at, at + m);
   s.is_slave.resize(s.is_slave.empty() ? 0 : s.is_slave.size() + m, 0);
   for (auto &v : s.slave_velocity)
     v.resize(s.is_slave.size(), 0.);
@@ -308,9 +328,9 @@ void Solver<dim>::Implementation::unit_seam(const Body &body, const std::array<s
 }
 
 template <int dim>
-double Solver<dim>::seam_work() const
+double Solver<dim>::seam_work(int body) const
 {
-  return self_->works.seam;
+  return self_->works.seam[static_cast<std::size_t>(&self_->body_of(body) - self_->bodies.data())];
 }
 
 /// Moves the riders of a step: their velocities are those they were given.
@@ -333,10 +353,12 @@ void Solver<dim>::Implementation::kick_riders()
 }
 
 template <int dim>
-double Solver<dim>::Implementation::power_at_seam(bool with_forces) const
+void Solver<dim>::Implementation::add_power_at_seam(bool with_forces, double kick)
 {
-  double power = 0;
-  for (const auto &b : bodies)
+  for (std::size_t k = 0; k < bodies.size(); ++k)
+  {
+    const auto &b     = bodies[k];
+    double      power = 0;
     for (std::size_t i = b.first; i < b.last && b.first_rider < b.last_rider; ++i)
     {
       if (!seam_pairs(b, i))
@@ -347,7 +369,8 @@ double Solver<dim>::Implementation::power_at_seam(bool with_forces) const
       for (int a = 0; with_forces && a < dim; ++a)
         power += seam().forces[i * L::forces_stride + L::f_sum + a] * record[L::v + a];
     }
-  return power;
+    works.seam[k] += kick * power;
+  }
 }
 
 template <int dim>
@@ -389,11 +412,12 @@ void Solver<dim>::Implementation::take_rider_states()
 }
 
 #define OGIVE_INSTANTIATE(d)                                                                                 \
+  template void Solver<d>::Implementation::fit_between_walls(const Body &, std::size_t, std::size_t);        \
   template void Solver<d>::Implementation::size_arrays();                                                    \
   template void Solver<d>::Implementation::check_growth() const;                                             \
   template void Solver<d>::Implementation::prepare_riders(Body &);                                           \
   template void Solver<d>::Implementation::kick_riders();                                                    \
-  template double Solver<d>::Implementation::power_at_seam(bool) const;                                     \
+  template void Solver<d>::Implementation::add_power_at_seam(bool, double);                                    \
   template std::array<double, d> Solver<d>::cell(int) const;                                                 \
   template double Solver<d>::reach(int) const;                                                               \
   template void Solver<d>::set_seam_hourglass(int, double);                                                  \
@@ -403,7 +427,7 @@ void Solver<dim>::Implementation::take_rider_states()
   template Solver<d>::Riders         Solver<d>::riders(int);                                                 \
   template void   Solver<d>::seam_forces(int, const std::array<std::span<double>, d> &) const;               \
   template void Solver<d>::seam_normals(int, const std::array<std::span<double>, d> &);                      \
-  template double Solver<d>::seam_work() const;
+  template double Solver<d>::seam_work(int) const;
 OGIVE_INSTANTIATE(1)
 OGIVE_INSTANTIATE(2)
 OGIVE_INSTANTIATE(3)

@@ -75,7 +75,7 @@ double Solver<dim>::Implementation::rest_gap(const Body &b, std::size_t i, std::
     whole2 += std::pow(b.half_cell[a] * parameters.walls[w].normal[a], 2);
     now2 += std::pow(store.half_cell[a][i] * parameters.walls[w].normal[a], 2);
   }
-  return std::sqrt(parameters.axisymmetric ? std::min(whole2, now2) : whole2);
+  return store.rest_share[i] * std::sqrt(parameters.axisymmetric ? std::min(whole2, now2) : whole2);
 }
 
 template <int dim>

@@ -26,7 +26,7 @@ struct Works
   /// Pull of each wall's images not yet made good by later pressure, N s, <= 0:
   /// friction waits for it, so that in the sum it is mu times the net impulse.
   std::vector<double> pull{};
-  double              seam = 0; ///< see Solver::seam_work
+  std::vector<double> seam{}; ///< by body of particles, see Solver::seam_work
   /// Energy that steps in parts gave the particles and took from no pair, J.
   double parts_error = 0;
 };
@@ -145,13 +145,14 @@ struct Solver<dim>::Implementation
   void   rearrange(const std::vector<std::size_t> &from);
   void   put(const Newcomers<dim> &, std::size_t first);
   void   settle();
+  void   fit_between_walls(const Body &, std::size_t first, std::size_t last);
   void   prepare_riders(Body &);
   void   kick_riders();
   void   take_rider_states();
   void   unit_seam(const Body &, const std::array<std::span<double>, dim> &area);
   /// Power of the pairs with riders in the sums of the last energy sweep, and,
   /// where asked, of their forces on the particles, W.
-  double power_at_seam(bool with_forces) const;
+  void add_power_at_seam(bool with_forces, double kick);
   /// Particles without riders: [0, n_own()).
   std::size_t n_own() const { return bodies.empty() ? 0 : bodies.back().last; }
   bool        any_riders() const { return store.size() > n_own(); }

@@ -181,15 +181,14 @@ void Solver<dim>::Implementation::energy(double kick)
     to[L::weight] = share(g) * from[L::weight];
   }
   sweep_all(&SweepFunctions::energy, power_sums, L::powers_stride, 3);
-  double seam_power = power_at_seam(true);
+  add_power_at_seam(true, kick);
   for (const auto power : {&SweepFunctions::artificial_stress_power, &SweepFunctions::viscous_power,
                            &SweepFunctions::correction_power, &SweepFunctions::weak_power})
     if (is_used(power))
     {
       add_all(power, power_sums, L::powers_stride, 3);
-      seam_power += power_at_seam(false);
+      add_power_at_seam(false, kick);
     }
-  works.seam += kick * seam_power;
   if (parameters.axisymmetric)
     heat_hoops();
   if (parameters.options.correction == "shepard")

@@ -118,6 +118,7 @@ Solver<dim>::Implementation::Implementation(const Parameters &p, std::vector<Bod
   wall_forces.resize(p.walls.size());
   friction_share.resize(p.walls.size());
   works.pull.resize(p.walls.size());
+  works.seam.resize(bodies.size());
   for (std::size_t k = 0; k < bodies.size(); ++k)
   {
     const auto &b = bodies[k];
@@ -129,7 +130,8 @@ Solver<dim>::Implementation::Implementation(const Parameters &p, std::vector<Bod
         store.v[a][i]                  = filled[k].v[i - b.first][a];
         store.half_cell[a][i]          = b.half_cell[a];
       }
-      store.mass[i] = filled[k].mass[i - b.first];
+      store.mass[i]       = filled[k].mass[i - b.first];
+      store.rest_share[i] = 1;
       store.id[i]   = static_cast<std::int64_t>(i);
       store.body[i] = b.scene;
     }

@@ -144,9 +144,9 @@ public:
   /// viscosity, m^2 (m in plane strain, 1 in one dimension): the share of the
   /// seam's area that each particle sees, along the normal into the riders.
   void seam_normals(int body, const std::array<std::span<double>, dim> &area);
-  /// Energy that the riders have given the particles so far, J: work on their
+  /// Energy that the riders have given the particles of a body so far, J: work on their
   /// motion and what stress and viscosity of the pairs with riders heat them.
-  double seam_work() const;
+  double seam_work(int body) const;
 
   /// Normal force sum that rigid wall `w` gave in the last step, N (into the material).
   double wall_force(std::size_t w) const;

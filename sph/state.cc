@@ -66,7 +66,7 @@ void Solver<dim>::Implementation::write(ArchiveWriter &out, const std::string &p
     for (const std::size_t end : {b.first, b.last, b.first_rider, b.last_rider})
       ranges.push_back(static_cast<std::int64_t>(end));
   out.write(prefix + "/ranges", std::span<const std::int64_t>(ranges));
-  out.write(prefix + "/seam_work", std::span<const double>(&works.seam, 1));
+  out.write(prefix + "/seam_work", std::span<const double>(works.seam));
   out.write(prefix + "/id", std::span<const std::int64_t>(store.id));
   out.write(prefix + "/fixed", std::span<const std::int64_t>(store.fixed));
   out.write(prefix + "/near_surface", std::span<const std::int64_t>(near_surface));
@@ -154,8 +154,8 @@ void Solver<dim>::Implementation::read(const ArchiveReader &in, const std::strin
   if (store.in_parts)
     works.parts_error = in.number(prefix + "/parts_error");
   const auto seam = in.doubles(prefix + "/seam_work");
-  fit("seam_work", seam.size(), 1);
-  works.seam = seam[0];
+  fit("seam_work", seam.size(), bodies.size());
+  works.seam = seam;
   fit("wall_pull", works.pull.size(), parameters.walls.size());
   time            = work[6];
   time_listed     = work[7];

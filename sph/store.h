@@ -29,6 +29,7 @@ struct Store
   AlignedVector<double>                  hourglass_heat; ///< J/kg so far
   AlignedVector<double>                  density_scale; ///< rho over sum m W at t = 0, by summation
   AlignedVector<double>                  switch_factor; ///< of the viscosity, where the switch has a memory
+  AlignedVector<double>                  rest_share;    ///< of the gap to walls, 1 but for newcomers that stand closer
   AlignedVector<double>                  divergence;    ///< of the velocity, in the step before
   materials::Points                      points;
   bool                                   in_parts = false; ///< steps may have parts:
@@ -63,6 +64,7 @@ struct Store
     f("hourglass_heat", hourglass_heat);
     f("density_scale", density_scale);
     f("switch_factor", switch_factor);
+    f("rest_share", rest_share);
     f("divergence", divergence);
     points.for_each_array(f);
   }

@@ -76,7 +76,7 @@ TEST(Command, CheckPrintsThePlan)
 {
   const Outcome check = ogive::test::ogive({"check", scene("plate-weldox-blunt/scene.prm")});
   ASSERT_EQ(check.status, 0) << check.err;
-  for (const char *word : {"3-D", "symmetry planes x, y", "projectile", "tied", "contact", "counts", "step", "memory"})
+  for (const char *word : {"3-D", "symmetry planes x, y", "projectile", "pair-flux", "contact", "counts", "step", "memory"})
     EXPECT_NE(check.out.find(word), std::string::npos) << word << " in\n" << check.out;
 }
 
