@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "coupling/contact_geometry.h"
 #include "coupling/search.h"
+#include "fem/embedding.h"
 
 #include <algorithm>
 #include <map>
@@ -155,22 +156,11 @@ template <int dim>
 double place_in_cell(const std::array<Point<dim>, (1 << dim)> &corner, const Point<dim> &xi,
                      std::array<double, (1 << dim)> &weight)
 {
-  static constexpr int sign[8][3] = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1},
-                                     {-1, -1, 1},  {1, -1, 1},  {1, 1, 1},  {-1, 1, 1}};
+  std::array<Point<dim>, (1 << dim)> slope;
+  fem::shape_functions<dim>(xi, weight, slope);
   Eigen::Matrix<double, dim, dim> J = Eigen::Matrix<double, dim, dim>::Zero();
-  for (int a = 0; a < 1 << dim; ++a)
-  {
-    Point<dim> slope = Point<dim>::Ones();
-    weight[a]        = 1;
-    for (int i = 0; i < dim; ++i)
-    {
-      const double factor = .5 * (1 + sign[a][i] * xi[i]);
-      weight[a] *= factor;
-      for (int k = 0; k < dim; ++k)
-        slope[k] *= k == i ? .5 * sign[a][i] : factor;
-    }
-    J += corner[a] * slope.transpose();
-  }
+  for (std::size_t a = 0; a < corner.size(); ++a)
+    J += corner[a] * slope[a].transpose();
   return std::abs(J.determinant());
 }
 
