@@ -11,14 +11,6 @@ namespace ogive::coupling
 {
 namespace
 {
-template <int dim>
-Vec3 spatial(const Point<dim> &p)
-{
-  Vec3 v = Vec3::Zero();
-  v.head<dim>() = p;
-  return v;
-}
-
 /// Velocity of a carrier as the point sees it: of its image, if it is one.
 template <int dim>
 Point<dim> seen_velocity(const Faces<dim> &faces, Party party, const Carrier<dim> &carrier)

@@ -10,6 +10,15 @@
 
 namespace ogive::coupling
 {
+/// In three components, the absent ones zero.
+template <int dim>
+Vec3 spatial(const Point<dim> &p)
+{
+  Vec3 v = Vec3::Zero();
+  v.head<dim>() = p;
+  return v;
+}
+
 /// The point of a facet nearest to a given point.
 template <int dim>
 struct Foot

@@ -13,14 +13,6 @@ namespace ogive::coupling
 {
 namespace
 {
-template <int dim>
-Vec3 spatial(const Point<dim> &p)
-{
-  Vec3 v = Vec3::Zero();
-  v.head<dim>() = p;
-  return v;
-}
-
 /// Positions that can be moved, seen as Faces.
 template <int dim>
 struct Trial
