@@ -49,6 +49,7 @@ void sph_fields(Fields &f, SphOptions &o)
            o.hourglass_stiffness, Bound{0, .5});
   f.number({"step factor", "share of the stability bound; above 1 only to see a run blow up"}, o.step_factor,
            Bound{0, 2, true});
+  f.choice({"quiescent skip", "particles that nothing has reached yet are not computed"}, o.quiescent_skip, {"on", "off"});
 }
 
 void fem_fields(Fields &f, FemOptions &o)
@@ -78,6 +79,10 @@ void fem_fields(Fields &f, FemOptions &o)
            o.step_bound, {"element", "power-iteration"});
   f.number({"step factor", "share of the stability bound; above 1 only to see a run blow up"}, o.step_factor,
            Bound{0, 2, true});
+  f.choice({"quiescent skip", "elements that nothing has reached yet are not computed"}, o.quiescent_skip, {"on", "off"});
+  f.choice({"local steps", "longest step of an element over the shortest: small elements do not hold back the whole mesh; "
+                           "auto: the ratio that costs least"},
+           o.local_steps, {"none", "auto", "2", "4", "8"});
 }
 
 void stop_fields(Fields &f, StopRule &s)
@@ -104,12 +109,20 @@ void option_fields(Fields &f, Scene &scene)
 
   f.enter("Subcycling");
   f.choice({"who", "the solver that takes several steps in one of the other"}, scene.subcycling.who,
-           {"none", "particles", "elements"});
+           {"none", "auto", "particles", "elements"});
   const Use somebody{"who", {"particles", "elements"}};
   f.number({"steps", "how many", Need::optional, somebody}, scene.subcycling.steps, Bound{1, 64});
   f.number({"energy limit", "error of the energy over the initial kinetic energy above which both step alike from then on",
-            Need::optional, somebody},
+            Need::optional, {"who", {"auto", "particles", "elements"}}},
            scene.subcycling.energy_limit, bounds::positive);
+  f.leave();
+
+  f.enter("Parallel");
+  f.choice({"partition", "how elements are shared among ranks: recursive coordinate bisection, or p4est along the mesh"},
+           scene.parallel.partition, {"rcb", "p4est"});
+  f.number({"imbalance", "most over mean measured cost of a rank above which the work is shared anew"},
+           scene.parallel.imbalance, Bound{1, 100, true});
+  f.number({"interval", "steps between looks at it"}, scene.parallel.interval, Bound{1, 1e9});
   f.leave();
 
   f.enter("Stop");

@@ -251,6 +251,7 @@ struct SphOptions
   double      hourglass  = .2;          ///< coefficient z of numerics.md section 2
   double      hourglass_stiffness = .2; ///< its modulus over that of plane waves, in the reference configuration
   double      step_factor = .7;         ///< share of the stability bound
+  std::string quiescent_skip = "on";    ///< "on", "off": particles that nothing has reached yet are not computed
 
   /// With what "auto" stands for. A correction takes the viscosity of shocks too,
   /// so it goes with a split; what a split leaves is weak by a limiter. Plain
@@ -280,14 +281,24 @@ struct FemOptions
   double      mass_scaling_step = 0;      ///< s; 0: no mass is added
   std::string step_bound        = "element"; ///< "element", "power-iteration"
   double      step_factor       = .9;
+  std::string quiescent_skip    = "on"; ///< "on", "off": elements that nothing has reached yet are not computed
+  std::string local_steps       = "none"; ///< "none", "auto", "2", "4", "8": longest step of an element over the shortest
 };
 
 /// One solver takes `steps` steps in one of the other.
 struct Subcycling
 {
-  std::string who   = "none"; ///< "none", "particles", "elements"
+  std::string who   = "none"; ///< "none", "auto", "particles", "elements"
   double      steps = 1;
   double      energy_limit = .005; ///< error of the energy, of the initial kinetic energy, above which it falls back to 1
+};
+
+/// How the work is shared among ranks.
+struct ParallelOptions
+{
+  std::string partition = "rcb"; ///< of elements: "rcb" (recursive coordinate bisection), "p4est"
+  double      imbalance = 1.05;  ///< most over mean measured cost above which particles and elements are shared anew
+  double      interval  = 200;   ///< steps between looks at it
 };
 
 struct StopRule
@@ -327,6 +338,7 @@ struct Scene
   SphOptions                         sph;
   FemOptions                         fem;
   Subcycling                         subcycling;
+  ParallelOptions                    parallel;
   StopRule                           stop;
   Limits                             limits;
   Output                             output;
