@@ -55,3 +55,26 @@ function(ogive_test name)
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 TEST_PREFIX "${A_PREFIX}"
     PROPERTIES LABELS "${A_LABELS}" TIMEOUT ${A_TIMEOUT})
 endfunction()
+
+# ogive_ranked_test(NAME RANKS n ... SOURCES a.cc ... [LINK lib ...] [LABELS l ...] [TIMEOUT s])
+# One executable of GoogleTest cases that all ranks run together: one ctest for
+# each number of ranks. More ranks than cores give way while they wait.
+function(ogive_ranked_test name)
+  cmake_parse_arguments(A "" "TIMEOUT" "RANKS;SOURCES;LINK;LABELS" ${ARGN})
+  if(NOT A_TIMEOUT)
+    set(A_TIMEOUT 300)
+  endif()
+  if(NOT A_LABELS)
+    string(REGEX REPLACE "_.*" "" A_LABELS ${name})
+  endif()
+  add_executable(${name} ${A_SOURCES} ${PROJECT_SOURCE_DIR}/tests/ranked_main.cc)
+  target_link_libraries(${name} ogive_flags ${A_LINK} ogive_parallel GTest::gtest)
+  target_compile_definitions(${name} PRIVATE OGIVE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  ogive_use_dealii(${name})
+  foreach(n ${A_RANKS})
+    add_test(NAME ${name}.on_${n}
+      COMMAND mpirun --allow-run-as-root --oversubscribe --bind-to none --mca mpi_yield_when_idle 1 -n ${n}
+              $<TARGET_FILE:${name}>)
+    set_tests_properties(${name}.on_${n} PROPERTIES LABELS "${A_LABELS};ranks" TIMEOUT ${A_TIMEOUT} PROCESSORS 2)
+  endforeach()
+endfunction()
