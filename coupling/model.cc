@@ -136,8 +136,9 @@ void set_velocity(fem::BodyMesh<dim> &mesh, const Setup &setup)
 } // namespace
 
 template <int dim>
-Model<dim>::Model(const input::Scene &scene, const Setup &setup)
-  : n_walls_(scene.walls.size())
+Model<dim>::Model(const input::Scene &scene, const Setup &setup, const Ranks &ranks)
+  : ranks_(ranks)
+  , n_walls_(scene.walls.size())
 {
   build(scene, setup, {});
   if (const auto moves = coupler_->moves(); !moves.empty())
@@ -199,7 +200,7 @@ void Model<dim>::build(const input::Scene &scene, const Setup &setup, const std:
     conversion_ = std::make_unique<Conversion<dim>>(scene, *fem_, *sph_, held);
     conversion_->begin();
   }
-  coupler_ = std::make_unique<Coupler<dim>>(scene, fem_.get(), sph_.get());
+  coupler_ = std::make_unique<Coupler<dim>>(scene, fem_.get(), sph_.get(), ranks_);
   begin_parts(scene);
   for (const input::Contact &contact : scene.contacts)
     contact_bodies_.emplace_back(body_index(scene, contact.first), body_index(scene, contact.second));
