@@ -193,7 +193,7 @@ void Model<dim>::build(const input::Scene &scene, const Setup &setup, const std:
   if (!clouds.empty())
     sph_ = std::make_unique<sph::Solver<dim>>(
       sph::Parameters{scene.sph, scene.dimension == input::Dimension::axisymmetric, scene.symmetry, scene.walls,
-                      scene.boundaries, boundary_bodies(scene), setup.mirrors},
+                      scene.boundaries, boundary_bodies(scene), setup.mirrors, scene.parallel, ranks_},
       std::move(clouds));
   if (!held.empty())
   {

@@ -110,7 +110,9 @@ void expect_alike(const input::Scene &scene, int steps, int convert = -1)
       }
     }
     const double dt = alone.model.stable_dt().dt, common = shared.model.stable_dt().dt;
-    ASSERT_NEAR(common, dt, bar * dt) << n;
+    ASSERT_NEAR(common, dt, bar * dt) << "step " << n << ": " << shared.model.stable_dt().culprit.entity << " "
+                                      << shared.model.stable_dt().culprit.id << ", alone "
+                                      << alone.model.stable_dt().culprit.entity << " " << alone.model.stable_dt().culprit.id;
     alone.step(dt);
     shared.step(dt);
     again.step(dt);
@@ -123,7 +125,9 @@ void expect_alike(const input::Scene &scene, int steps, int convert = -1)
   }
   const auto row = shared.model.ledger();
   if (scene.walls.empty() && scene.symmetry.empty())
+  {
     EXPECT_LE((row.momentum - first.momentum).norm(), 1e-12 * scale.momentum);
+  }
   EXPECT_TRUE(scene.contacts.empty() || touched > 0);
   EXPECT_EQ(row.values(), again.model.ledger().values());
   for (int b = 0; b < static_cast<int>(scene.bodies.size()); ++b)
