@@ -57,11 +57,13 @@ template <int dim>
 void Solver<dim>::Implementation::reflect_correction(bool is_velocity)
 {
   const std::size_t stride = variable ? L::wide_correction_stride : L::correction_stride;
+  exchange(correction_records, stride, 0, stride);
   for (std::size_t g = 0; g < ghosts.size(); ++g)
   {
     const double *from = &correction_records[ghosts.parent[g] * stride];
     double       *to   = image_record(correction_records, stride, g);
-    std::copy(from, from + stride, to);
+    if (from != to)
+      std::copy(from, from + stride, to);
     for (int a = 0; a < dim; ++a)
     {
       to[L::x + a]  = force_records[(store.size() + g) * L::force_stride + L::x + a];
@@ -91,6 +93,7 @@ void Solver<dim>::Implementation::share_heat()
   }
   for (std::size_t i = 0; i < n; ++i)
     correction_records[i * stride + L::da] = power_sums[i * L::powers_stride + L::viscous_power] / store.mass[i];
+  exchange(correction_records, stride, L::da, L::da + 1);
   for (std::size_t g = 0; g < ghosts.size(); ++g)
     image_record(correction_records, stride, g)[L::da] = correction_records[ghosts.parent[g] * stride + L::da];
   AlignedVector<double> rest(n * L::forces_stride, 0.);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sph/agree.h"
 #include "sph/corrector.h"
 #include "sph/implementation.h"
 
@@ -74,7 +75,7 @@ StepStatus Solver<dim>::Implementation::advance_material(double dt)
     take_rider_states();
   auto       &points = store.points;
   Block       block;
-  std::size_t fallbacks = 0, broken = 0;
+  std::int64_t fallbacks = 0, broken = 0;
   const auto  take = [&](const Body &body, std::size_t first, std::size_t last, bool rides) -> StepStatus {
     for (std::size_t begin = first; begin < last; begin += block_size)
     {
@@ -150,13 +151,18 @@ StepStatus Solver<dim>::Implementation::advance_material(double dt)
     }
     return {};
   };
+  StepStatus status;
   for (const auto &body : bodies)
-    if (const StepStatus status = take(body, body.first, body.last, false); !status.ok)
-      return status;
-  for_each_rider_range([&](const Body &body, std::size_t first, std::size_t last) { take(body, first, last, true); });
-  diagnostics.fallbacks = fallbacks + reference.fallbacks;
-  surface_stale |= broken != failed;
-  failed = broken;
+    if (status = take(body, body.first, body.last, false); !status.ok)
+      break;
+  if (status.ok)
+    for_each_rider_range([&](const Body &body, std::size_t first, std::size_t last) { take(body, first, last, true); });
+  std::array<std::int64_t, 2> counts{fallbacks, broken};
+  if (status = agree(ranks, status, counts); !status.ok)
+    return status;
+  diagnostics.fallbacks = counts[0] + reference.fallbacks;
+  surface_stale |= counts[1] != failed;
+  failed = counts[1];
   reflect_forces();
   if (reference.on)
     reflect_reference();
@@ -169,6 +175,7 @@ void Solver<dim>::Implementation::energy(double kick)
   const std::size_t n = store.size();
   for (std::size_t i = 0; reference.on && i < n; ++i)
     energy_records[i * L::energy_stride + L::weight] = reference.volume[i];
+  exchange(energy_records, L::energy_stride, 0, L::weight + 1);
   for (std::size_t g = 0; g < ghosts.size(); ++g)
   {
     const double *from = &energy_records[ghosts.parent[g] * L::energy_stride];

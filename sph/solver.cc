@@ -2,9 +2,11 @@
 #include "sph/solver.h"
 
 #include "core/base/error.h"
+#include "sph/agree.h"
 #include "sph/implementation.h"
 #include "sph/kernels/kernels.h"
 #include "sph/state.h"
+#include "sph/together.h"
 #include "sph/viscosity/viscosities.h"
 
 #include <Eigen/Geometry>
@@ -59,6 +61,7 @@ Parameters settled(Parameters p)
 template <int dim>
 Solver<dim>::Implementation::Implementation(const Parameters &p, std::vector<BodyParticles<dim>> filled)
   : parameters(settled(p))
+  , ranks(parameters.ranks)
   , standard(parameters.options.form == "standard")
   , correction(parameters.options.correction != "none")
   , summation(parameters.options.density == "summation")
@@ -84,11 +87,16 @@ Solver<dim>::Implementation::Implementation(const Parameters &p, std::vector<Bod
     viscous_terms  = decltype(v)::n_terms;
     viscous_stride = V::stride(decltype(v)::n_fields, o.limiter != "none");
   });
-  std::size_t n = 0;
+  std::vector<std::size_t> all;
+  for (const auto &f : filled)
+    all.push_back(f.x.size());
+  const auto  ids = take_own(filled);
+  std::size_t n   = 0;
   for (const auto &f : filled)
   {
     Body b;
     b.scene    = f.body;
+    b.all      = all[bodies.size()];
     b.first    = n;
     b.last     = n += f.x.size();
     b.spacing  = f.spacing;
@@ -132,7 +140,7 @@ Solver<dim>::Implementation::Implementation(const Parameters &p, std::vector<Bod
       }
       store.mass[i]       = filled[k].mass[i - b.first];
       store.rest_share[i] = 1;
-      store.id[i]   = static_cast<std::int64_t>(i);
+      store.id[i]   = ids[k][i - b.first];
       store.body[i] = b.scene;
     }
     b.material->initialise(store.points, b.first, b.last);
@@ -169,7 +177,7 @@ StepStatus Solver<dim>::step(const TimeStep &t)
   auto &s = *self_;
   s.kick(t);
   s.energy(t.kick);
-  const StepStatus status = s.drift(t.drift);
+  const StepStatus status = agree(s.ranks, s.drift(t.drift));
   return status.ok ? s.arrive(t) : status;
 }
 
@@ -177,8 +185,11 @@ template <int dim>
 StepStatus Solver<dim>::Implementation::arrive(const TimeStep &t)
 {
   time = t.time + t.drift;
-  if (lists_are_stale())
+  ++steps;
+  const bool uneven = is_uneven();
+  if (uneven || lists_are_stale())
   {
+    share_out(uneven);
     sort_particles();
     rebuild_lists();
     surface_stale = true;
@@ -238,7 +249,7 @@ StepLimit Solver<dim>::stable_dt() const
     }
   if (who < s.n_own())
     limit.culprit = s.culprit(who, "stiffness and viscosity of its pairs");
-  return limit;
+  return tightest(s.ranks, limit);
 }
 
 template <int dim>
@@ -304,6 +315,7 @@ Balance Solver<dim>::balance() const
   b.external_work = s.works.external;
   b.wall_loss     = s.works.wall_loss;
   b.friction_heat = s.works.friction;
+  sum_over(s.ranks, b);
   b.gradient_fallbacks = static_cast<double>(s.diagnostics.fallbacks);
   return b;
 }
@@ -347,13 +359,14 @@ Sample Solver<dim>::sample(int body) const
     for (std::size_t i = b.first; i < b.last; ++i)
       out.volume.push_back(s.store.mass[i] / p.density[i]);
   }
+  gather(s.ranks, out);
   return out;
 }
 
 template <int dim>
 std::size_t Solver<dim>::size() const
 {
-  return self_->n_own();
+  return self_->n_all();
 }
 template <int dim>
 std::uint64_t Solver<dim>::updates() const
@@ -363,7 +376,7 @@ std::uint64_t Solver<dim>::updates() const
 template <int dim>
 double Solver<dim>::wall_force(std::size_t w) const
 {
-  return self_->wall_forces.at(w);
+  return self_->ranks.sum(self_->wall_forces.at(w));
 }
 template <int dim>
 std::span<const std::uint32_t> Solver<dim>::index_of_id() const
@@ -373,7 +386,9 @@ std::span<const std::uint32_t> Solver<dim>::index_of_id() const
 template <int dim>
 Diagnostics Solver<dim>::diagnostics() const
 {
-  return self_->diagnostics;
+  Diagnostics d = self_->diagnostics;
+  d.pairs       = static_cast<std::size_t>(self_->ranks.sum(static_cast<std::int64_t>(d.pairs)));
+  return d;
 }
 
 template <int dim>
@@ -381,14 +396,16 @@ void Solver<dim>::set_slaves(std::span<const std::int64_t> ids)
 {
   auto &s = *self_;
   s.slave_ids.assign(ids.begin(), ids.end());
-  s.is_slave.assign(ids.empty() ? 0 : s.n_own(), 0);
+  s.is_slave.assign(ids.empty() ? 0 : s.n_all(), 0);
   for (const auto id : ids)
     s.is_slave.at(id) = 1;
   for (auto &v : s.slave_velocity)
     v.assign(s.is_slave.size(), 0.);
-  for (std::size_t i = 0; i < s.is_slave.size(); ++i)
+  for (std::size_t i = 0; i < s.n_own() && !ids.empty(); ++i)
     for (int a = 0; a < dim; ++a)
       s.slave_velocity[a][s.store.id[i]] = s.store.v[a][i];
+  for (auto &v : s.slave_velocity)
+    s.ranks.sum(std::span<double>(v));
 }
 
 template <int dim>
@@ -399,7 +416,7 @@ void Solver<dim>::weigh(std::span<const std::int64_t> ids, std::span<const doubl
     throw InputError({"", 0, "SPH/configuration"}, "particles that share their energy with elements know neither the "
                                                    "reference configuration nor an axis",
                      "current, in a plane or in space");
-  s.energy_share.resize(s.n_own(), 1.);
+  s.energy_share.resize(s.n_all(), 1.);
   for (std::size_t k = 0; k < ids.size(); ++k)
   {
     require(shares[k] > 0 && shares[k] <= 1, "a share lies above 0 and not above 1");
@@ -424,10 +441,12 @@ void Solver<dim>::slave_forces(const std::array<std::span<double>, dim> &force) 
   const auto &s = *self_;
   for (std::size_t k = 0; k < s.slave_ids.size(); ++k)
   {
-    const std::size_t i = s.index_of_id[s.slave_ids[k]];
+    const std::uint32_t i = s.index_of_id[s.slave_ids[k]];
     for (int a = 0; a < dim; ++a)
-      force[a][k] = s.force_sums[i * L::forces_stride + L::f_sum + a] + s.store.external[a][i];
+      force[a][k] = i == elsewhere ? 0. : s.force_sums[i * L::forces_stride + L::f_sum + a] + s.store.external[a][i];
   }
+  for (int a = 0; a < dim; ++a) // each has one owner
+    s.ranks.sum(force[a].first(s.slave_ids.size()));
 }
 
 template <int dim>

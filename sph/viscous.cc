@@ -59,6 +59,7 @@ void Solver<dim>::Implementation::sense()
     r[S::volume]     = store.mass[i] / motion[L::density];
     r[S::divergence] = Eigen::Map<const Matrix>(&velocity_gradient[i * dim * dim]).trace() + hoop_rate(i);
   }
+  exchange(sensor_records, S::stride, 0, S::n_fields);
   for (std::size_t g = 0; g < ghosts.size(); ++g)
   {
     const double *from = &sensor_records[ghosts.parent[g] * S::stride];
@@ -151,12 +152,14 @@ void Solver<dim>::Implementation::pack_viscosity()
     for (const auto &b : bodies)
       pack(b, b.first, b.last);
     for_each_rider_range(pack);
+    exchange(viscous_records, viscous_stride, 0, viscous_stride);
     for (std::size_t g = 0; g < ghosts.size(); ++g)
     {
       const double *from = &viscous_records[ghosts.parent[g] * viscous_stride];
       double       *to   = image_record(viscous_records, viscous_stride, g);
       const auto   &s    = ghosts.sign[g];
-      std::copy(from, from + viscous_stride, to);
+      if (from != to)
+        std::copy(from, from + viscous_stride, to);
       for (int a = 0; a < dim; ++a)
       {
         to[V::x + a] = s[a] * from[V::x + a] + shift(g, a, time);
@@ -216,6 +219,7 @@ void Solver<dim>::Implementation::stress_artificially()
         for (int c = a; c < dim; ++c)
           r[S::r + L::sym(a, c)] = -scale * tension(a, c);
     }
+  exchange(stress_records, S::stride, 0, S::n_fields);
   for (std::size_t g = 0; g < ghosts.size(); ++g)
   {
     const double *from = &stress_records[ghosts.parent[g] * S::stride];
