@@ -51,6 +51,24 @@ void print_quantities(const io::Summary &summary)
   }
 }
 
+void print_shares(const std::vector<RankShare> &shares)
+{
+  double messages = 0, bytes = 0, halo = 0, particles = 0;
+  for (const RankShare &s : shares)
+  {
+    messages += s.messages / static_cast<double>(shares.size());
+    bytes += s.bytes / static_cast<double>(shares.size());
+    halo += static_cast<double>(s.halo_particles);
+    particles += static_cast<double>(s.particles);
+  }
+  std::printf("  most over mean work of %zu ranks: particles %.3f, elements %.3f", shares.size(),
+              imbalance(shares, [](auto &s) { return s.particle_work; }),
+              imbalance(shares, [](auto &s) { return s.element_work; }));
+  if (particles > 0)
+    std::printf("; halo %.0f %% of the particles", 100 * halo / particles);
+  std::printf("; a rank and step: %.1f messages, %.3g kB\n", messages, 1e-3 * bytes);
+}
+
 void print_checks(const io::Summary &summary)
 {
   const io::Summary::Checks &c = summary.checks;
@@ -68,6 +86,8 @@ void print_checks(const io::Summary &summary)
               static_cast<long long>(summary.steps), summary.end_time_s, static_cast<long long>(summary.particles),
               static_cast<long long>(summary.elements), summary.wall_s, summary.core_s);
   std::printf(summary.ranks > 1 ? " of all %d ranks\n" : "\n", summary.ranks);
+  if (!summary.shares.empty())
+    print_shares(summary.shares);
   if (summary.sph_particle_steps_per_core_s)
     std::printf("  particles: %.3g particle-steps/s\n", *summary.sph_particle_steps_per_core_s);
   if (summary.fem_element_steps_per_core_s)

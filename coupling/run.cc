@@ -41,6 +41,7 @@ public:
     , control_(step_control(scene))
     , model_(scene)
     , directory_(open())
+    , traffic_(ranks)
     , clock_(scene.end_time, control_)
     , mark_clock_(clock_)
     , history_due_(scene.output.history_interval)
@@ -85,9 +86,12 @@ public:
   {
     while (!clock_.done() && !stop_.stop())
     {
-      const StepLimit limit = model_.stable_dt();
-      const TimeStep  step  = clock_.plan(limit);
-      if (const StepStatus status = model_.step(step); !status.ok)
+      traffic_.begin();
+      const StepLimit  limit  = model_.stable_dt();
+      const TimeStep   step   = clock_.plan(limit);
+      const StepStatus status = model_.step(step);
+      traffic_.end();
+      if (!status.ok)
       {
         reject(status.culprit);
         continue;
@@ -210,6 +214,7 @@ private:
   StepControl                           control_;
   Model<dim>                            model_;
   io::RunDirectory                      directory_;
+  TrafficMeter                          traffic_; ///< of the steps
   Clock                                 clock_, mark_clock_;
   Schedule                              history_due_, fields_due_, checkpoint_due_;
   StopWatch                             stop_;
