@@ -19,7 +19,7 @@ void Solver<dim>::Implementation::correct()
     for (int a = 0; a < dim; ++a)
       corrected[i * dim + a] = -force_sums[i * L::forces_stride + L::f_sum + a];
   for (const auto &b : bodies)
-    b.sweeps.correction(sweep_of(b, pairs, force_sums.data()));
+    (joint ? b.sweeps.half_correction : b.sweeps.correction)(sweep_of(b, pairs, force_sums.data()));
   sweep_images(&SweepFunctions::correction, &Images::forces);
   for (std::size_t i = 0; keep && i < store.size(); ++i)
     for (int a = 0; a < dim; ++a)
@@ -39,7 +39,9 @@ void Solver<dim>::Implementation::pack_correction()
       for (int a = 0; a < dim; ++a)
       {
         r[L::x + a]  = motion[L::x + a];
-        r[L::da + a] = viscous_sums[i * V::sums_stride + V::weak_sum + a] / store.mass[i];
+        r[L::da + a] = (joint ? force_sums[i * L::forces_stride + L::weak_sum + a] :
+                                viscous_sums[i * V::sums_stride + V::weak_sum + a]) /
+                       store.mass[i];
       }
       r[L::volume] = volume;
       r[L::kappa]  = rho / (gradient_sums[i * L::gradient_stride + L::shepard_sum] + volume * b.self_value);
@@ -57,11 +59,13 @@ template <int dim>
 void Solver<dim>::Implementation::reflect_correction(bool is_velocity)
 {
   const std::size_t stride = variable ? L::wide_correction_stride : L::correction_stride;
+  exchange(correction_records, stride, 0, stride);
   for (std::size_t g = 0; g < ghosts.size(); ++g)
   {
     const double *from = &correction_records[ghosts.parent[g] * stride];
     double       *to   = image_record(correction_records, stride, g);
-    std::copy(from, from + stride, to);
+    if (from != to)
+      std::copy(from, from + stride, to);
     for (int a = 0; a < dim; ++a)
     {
       to[L::x + a]  = force_records[(store.size() + g) * L::force_stride + L::x + a];
@@ -91,6 +95,7 @@ void Solver<dim>::Implementation::share_heat()
   }
   for (std::size_t i = 0; i < n; ++i)
     correction_records[i * stride + L::da] = power_sums[i * L::powers_stride + L::viscous_power] / store.mass[i];
+  exchange(correction_records, stride, L::da, L::da + 1);
   for (std::size_t g = 0; g < ghosts.size(); ++g)
     image_record(correction_records, stride, g)[L::da] = correction_records[ghosts.parent[g] * stride + L::da];
   AlignedVector<double> rest(n * L::forces_stride, 0.);

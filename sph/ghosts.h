@@ -13,10 +13,12 @@ namespace ogive::sph
 {
 /// Mirror images of the particles near the symmetry planes x_axis = 0, in the
 /// corners also of the images, then those behind rigid walls. Image g follows
-/// the owned particles: its record is number n_owned + g.
+/// the owned particles: its record is number n_owned + g. Particles of other ranks
+/// (exchange.cc) stand here too, before the images of their body, as images of
+/// themselves, so that reflecting leaves their records alone.
 struct Ghosts
 {
-  std::vector<std::uint32_t>                parent;
+  std::vector<std::uint32_t>                parent; ///< its record
   std::vector<std::array<double, 3>>        sign;  ///< -1 where a component is reflected
   std::vector<std::array<double, 3>>        offset; ///< of mirrors off the origin: x_image = sign x + offset, m
   std::vector<double>                       turn;   ///< -1 behind an odd mirror: of velocities and stresses
@@ -35,19 +37,18 @@ struct Ghosts
     images.push_back(behind);
   }
 
-  /// Images of one body, [first, last) of the owned particles, that may be
-  /// closer than `reach` to it; appends a range.
+  /// Images of the records of one body, several ranges, that may be closer than
+  /// `reach` to it; appends their range, which begins with ghost `begin`.
   template <int dim>
-  void append(const std::array<std::span<const double>, dim> &x, std::size_t first, std::size_t last,
-              double reach, std::span<const input::SymmetryPlane> planes, std::span<const Mirror> mirrors)
+  void append(const std::array<std::span<const double>, dim> &x, std::size_t begin,
+              const std::array<std::array<std::size_t, 2>, 2> &of, double reach,
+              std::span<const input::SymmetryPlane> planes, std::span<const Mirror> mirrors)
   {
     std::vector<Mirror> all(mirrors.begin(), mirrors.end());
     for (const auto &plane : planes)
       all.push_back({.axis = plane.axis});
-    const std::size_t begin = size();
     for (unsigned subset = 1; subset < (1u << all.size()); ++subset)
-      for (std::size_t i = first; i < last; ++i)
-      {
+      for_each_of(of, [&](std::size_t i) {
         std::array<double, 3> s{1, 1, 1}, from_origin{};
         double                turned = 1;
         bool                  near   = true;
@@ -62,8 +63,16 @@ struct Ghosts
           }
         if (near)
           push_back(static_cast<std::uint32_t>(i), s, -1, from_origin, turned);
-      }
+      });
     range.push_back({begin, size()});
+  }
+
+  template <class F>
+  static void for_each_of(const std::array<std::array<std::size_t, 2>, 2> &ranges, F &&f)
+  {
+    for (const auto &[first, last] : ranges)
+      for (std::size_t i = first; i < last; ++i)
+        f(i);
   }
 
   void clear()

@@ -4,6 +4,7 @@
 #include "sph/implementation.h"
 
 #include <algorithm>
+#include <numeric>
 
 /// Particles that come in while a run goes on, and riders.
 namespace ogive::sph
@@ -29,10 +30,6 @@ void Solver<dim>::Implementation::size_arrays()
   wave_number.resize(n);
   radius.resize(n);
   near_surface.resize(n, 0);
-  gradient_sums.resize(n * L::gradient_stride);
-  force_sums.resize(n * L::forces_stride);
-  power_sums.resize(n * L::powers_stride);
-  viscous_sums.resize(n * V::sums_stride);
   sensor_sums.resize(sensed ? n * SensorLayout<dim>::sums_stride : 0);
   mass_sums.resize(summation ? n * padded(1) : 0);
   mean_sums.resize(correction ? n * L::means_stride : 0);
@@ -91,45 +88,66 @@ void Solver<dim>::Implementation::rearrange(const std::vector<std::size_t> &from
         (*target[a])[k] = (*source[a])[from[k]];
   for (std::size_t k = 0; k < from.size(); ++k)
     if (from[k] != none)
-    {
-      store.id[k]     = old.id[from[k]];
-      store.fixed[k]  = old.fixed[from[k]];
-      store.touch[k]  = old.touch[from[k]];
-      store.body[k]   = old.body[from[k]];
       near_surface[k] = was_near[from[k]];
-    }
+  std::vector<std::vector<std::int64_t>> integers;
+  old.for_each_integer([&](const char *, const auto &a) { integers.emplace_back(a.begin(), a.end()); });
+  auto source_of = integers.cbegin();
+  store.for_each_integer([&](const char *, auto &a) {
+    for (std::size_t k = 0; k < from.size(); ++k)
+      if (from[k] != none)
+        a[k] = static_cast<std::decay_t<decltype(a[k])>>((*source_of)[from[k]]);
+    ++source_of;
+  });
 }
 
 template <int dim>
-void Solver<dim>::Implementation::put(const Newcomers<dim> &in, std::size_t first)
+void Solver<dim>::Implementation::put(const Newcomers<dim> &in, const std::vector<std::size_t> &which,
+                                      std::size_t first)
 {
-  const std::size_t n = in.size();
+  const std::size_t n = which.size();
   for (int a = 0; a < dim; ++a)
     for (std::size_t k = 0; k < n; ++k)
     {
-      store.x[a][first + k]         = in.x[a][k];
-      store.v[a][first + k]         = in.v[a][k];
+      const std::size_t j           = which[k];
+      store.x[a][first + k]         = in.x[a][j];
+      store.v[a][first + k]         = in.v[a][j];
       if (store.in_parts)
-        store.v_strain[a][first + k] = in.v[a][k];
-      store.x0[a][first + k]        = in.x0[a][k];
-      store.half_cell[a][first + k] = in.half_cell[a][k];
+        store.v_strain[a][first + k] = in.v[a][j];
+      store.x0[a][first + k]        = in.x0[a][j];
+      store.half_cell[a][first + k] = in.half_cell[a][j];
     }
   materials::Points from = in.points;
   std::vector<const AlignedVector<double> *> fields;
   from.for_each_array([&](const char *, AlignedVector<double> &f) { fields.push_back(&f); });
   std::size_t f = 0;
   store.points.for_each_array([&](const char *, AlignedVector<double> &to) {
-    std::copy(fields[f]->begin(), fields[f]->begin() + static_cast<std::ptrdiff_t>(n),
-              to.begin() + static_cast<std::ptrdiff_t>(first));
+    for (std::size_t k = 0; k < n; ++k)
+      to[first + k] = (*fields[f])[which[k]];
     ++f;
   });
   for (std::size_t k = 0; k < n; ++k)
   {
-    store.mass[first + k]          = in.mass[k];
-    store.swept_density[first + k] = in.points.density[k];
+    store.mass[first + k]          = in.mass[which[k]];
+    store.swept_density[first + k] = in.points.density[which[k]];
     store.switch_factor[first + k] = 0;
     store.rest_share[first + k]    = 1;
   }
+}
+
+/// Which of the newcomers stand on ground of this rank.
+template <int dim>
+std::vector<std::size_t> Solver<dim>::Implementation::own_of(const Newcomers<dim> &in) const
+{
+  std::vector<std::size_t> here;
+  for (std::size_t k = 0; k < in.size(); ++k)
+  {
+    std::array<double, dim> where;
+    for (int a = 0; a < dim; ++a)
+      where[a] = in.x[a][k];
+    if (territory.at(where, ranks.rank()) == ranks.rank())
+      here.push_back(k);
+  }
+  return here;
 }
 
 /// Lists, surface and forces at the state in place.
@@ -137,6 +155,7 @@ template <int dim>
 void Solver<dim>::Implementation::settle()
 {
   size_arrays();
+  share_out(has_grown());
   sort_particles();
   rebuild_lists();
   touch_walls();
@@ -175,11 +194,13 @@ std::vector<std::int64_t> Solver<dim>::add(const Newcomers<dim> &in)
   s.check_growth();
   if (in.size() == 0)
     return {};
-  auto             &body = s.body_of(in.body);
-  const std::size_t n = s.store.size(), m = in.size(), at = body.last;
+  auto                          &body = s.body_of(in.body);
+  const std::vector<std::size_t> here = s.own_of(in);
+  const std::size_t n = s.store.size(), m = here.size(), at = body.last;
   std::int64_t      next = 0;
   for (const std::int64_t id : s.store.id)
     next = std::max(next, id + 1);
+  next = s.ranks.max(next);
   std::vector<std::size_t> from;
   for (std::size_t k = 0; k < at; ++k)
     from.push_back(k);
@@ -187,15 +208,16 @@ std::vector<std::int64_t> Solver<dim>::add(const Newcomers<dim> &in)
   for (std::size_t k = at; k < n; ++k)
     from.push_back(k);
   s.rearrange(from);
-  s.put(in, at);
-  std::vector<std::int64_t> ids;
+  s.put(in, here, at);
+  std::vector<std::int64_t> ids(in.size());
+  std::iota(ids.begin(), ids.end(), next);
   for (std::size_t k = 0; k < m; ++k)
   {
-    ids.push_back(next + static_cast<std::int64_t>(k));
-    s.store.id[at + k]   = ids.back();
+    s.store.id[at + k]   = ids[here[k]];
     s.store.body[at + k] = in.body;
   }
   body.last += m;
+  body.all += in.size();
   for (auto &other : s.bodies)
   {
     if (&other != &body && other.first >= at)
@@ -207,7 +229,7 @@ std::vector<std::int64_t> Solver<dim>::add(const Newcomers<dim> &in)
     other.last_rider += m;
   }
   s.fit_between_walls(body, at, at + m);
-  s.is_slave.resize(s.is_slave.empty() ? 0 : s.is_slave.size() + m, 0);
+  s.is_slave.resize(s.is_slave.empty() ? 0 : s.is_slave.size() + in.size(), 0);
   for (auto &v : s.slave_velocity)
     v.resize(s.is_slave.size(), 0.);
   s.settle();
@@ -219,8 +241,9 @@ void Solver<dim>::set_riders(const Newcomers<dim> &in)
 {
   auto &s = *self_;
   s.check_growth();
-  auto                    &body = s.body_of(in.body);
-  std::vector<std::size_t> from;
+  auto                          &body = s.body_of(in.body);
+  const std::vector<std::size_t> here = s.own_of(in);
+  std::vector<std::size_t>       from;
   for (std::size_t k = 0; k < s.n_own(); ++k)
     from.push_back(k);
   std::size_t next = s.n_own(), at = 0;
@@ -231,7 +254,7 @@ void Solver<dim>::set_riders(const Newcomers<dim> &in)
     if (&other == &body)
     {
       at = next;
-      from.insert(from.end(), in.size(), none);
+      from.insert(from.end(), here.size(), none);
     }
     else
       for (std::size_t k = old; k < last; ++k)
@@ -240,12 +263,13 @@ void Solver<dim>::set_riders(const Newcomers<dim> &in)
     other.last_rider = next;
   }
   s.rearrange(from);
-  s.put(in, at);
-  for (std::size_t k = 0; k < in.size(); ++k)
+  s.put(in, here, at);
+  for (std::size_t k = 0; k < here.size(); ++k)
   {
-    s.store.id[at + k]   = -1 - static_cast<std::int64_t>(k);
+    s.store.id[at + k]   = -1 - static_cast<std::int64_t>(here[k]);
     s.store.body[at + k] = -1;
   }
+  body.all_riders = in.size();
   s.prepare_riders(body);
   s.settle();
 }
@@ -253,11 +277,10 @@ void Solver<dim>::set_riders(const Newcomers<dim> &in)
 template <int dim>
 void Solver<dim>::Implementation::prepare_riders(Body &body)
 {
-  const std::size_t n = body.last_rider - body.first_rider;
   for (auto &v : body.rider_velocity)
-    v.assign(n, 0.);
+    v.assign(body.all_riders, 0.);
   body.rider_state = materials::Points();
-  body.rider_state.resize(n);
+  body.rider_state.resize(body.all_riders);
   for (std::size_t i = body.first_rider; i < body.last_rider; ++i)
     near_surface[i] = 0;
 }
@@ -267,7 +290,7 @@ typename Solver<dim>::Riders Solver<dim>::riders(int body_index)
 {
   auto  &body = self_->body_of(body_index);
   Riders r;
-  r.n = body.last_rider - body.first_rider;
+  r.n = body.all_riders;
   for (int a = 0; a < dim; ++a)
     r.velocity[a] = body.rider_velocity[a];
   r.state = &body.rider_state;
@@ -294,7 +317,7 @@ void Solver<dim>::seam_normals(int body_index, const std::array<std::span<double
 template <int dim>
 void Solver<dim>::Implementation::unit_seam(const Body &body, const std::array<std::span<double>, dim> &area)
 {
-  if (body.first_rider == body.last_rider)
+  if (body.all_riders == 0)
     return;
   const AlignedVector<double> kept = force_records, kept_pairs = seam().pairs.hourglass;
   const auto                  pack = [&](const Body &b, std::size_t first, std::size_t last) {
@@ -330,7 +353,7 @@ void Solver<dim>::Implementation::unit_seam(const Body &body, const std::array<s
 template <int dim>
 double Solver<dim>::seam_work(int body) const
 {
-  return self_->works.seam[static_cast<std::size_t>(&self_->body_of(body) - self_->bodies.data())];
+  return self_->ranks.sum(self_->works.seam[static_cast<std::size_t>(&self_->body_of(body) - self_->bodies.data())]);
 }
 
 /// Moves the riders of a step: their velocities are those they were given.
@@ -359,7 +382,7 @@ void Solver<dim>::Implementation::add_power_at_seam(bool with_forces, double kic
   {
     const auto &b     = bodies[k];
     double      power = 0;
-    for (std::size_t i = b.first; i < b.last && b.first_rider < b.last_rider; ++i)
+    for (std::size_t i = b.first; i < b.last && b.all_riders > 0; ++i)
     {
       if (!seam_pairs(b, i))
         continue;
@@ -393,6 +416,7 @@ void Solver<dim>::set_seam_hourglass(int body, double coefficient)
 {
   const double z = self_->parameters.options.hourglass;
   self_->body_of(body).seam_hourglass = z > 0 ? std::max(1., coefficient / z) : 1.;
+  self_->joint = self_->joint && self_->body_of(body).seam_hourglass == 1; // joint forces know one sound speed
 }
 
 template <int dim>
@@ -414,6 +438,7 @@ void Solver<dim>::Implementation::take_rider_states()
 #define OGIVE_INSTANTIATE(d)                                                                                 \
   template void Solver<d>::Implementation::fit_between_walls(const Body &, std::size_t, std::size_t);        \
   template void Solver<d>::Implementation::size_arrays();                                                    \
+  template void Solver<d>::Implementation::rearrange(const std::vector<std::size_t> &);                      \
   template void Solver<d>::Implementation::check_growth() const;                                             \
   template void Solver<d>::Implementation::prepare_riders(Body &);                                           \
   template void Solver<d>::Implementation::kick_riders();                                                    \

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ogive::sph
 {
@@ -79,16 +80,6 @@ double Solver<dim>::Implementation::rest_gap(const Body &b, std::size_t i, std::
 }
 
 template <int dim>
-bool Solver<dim>::Implementation::is_near(const Body &b, std::size_t w,
-                                          const PerAxis<AlignedVector<double>> &x, double at) const
-{
-  double least = b.spacing;
-  for (std::size_t i = b.first; i < b.last; ++i)
-    least = std::min(least, gap(w, x[wall_axis[w]][i], at));
-  return least < b.spacing;
-}
-
-template <int dim>
 void Solver<dim>::Implementation::begin_on_walls()
 {
   for (const auto &b : bodies)
@@ -141,45 +132,79 @@ void Solver<dim>::Implementation::touch_walls()
     }
 }
 
+/// Body, wall and cell of each place along a wall where a particle touches it,
+/// and of those around, of all ranks, in order.
+template <int dim>
+std::vector<std::array<std::int64_t, 4>> Solver<dim>::Implementation::touched_cells() const
+{
+  std::vector<std::array<std::int64_t, 4>> cells;
+  for (std::size_t k = 0; k < bodies.size(); ++k)
+    for (std::size_t w = 0; w < wall_axis.size(); ++w)
+    {
+      const int a = wall_axis[w];
+      for (std::size_t i = bodies[k].first; i < bodies[k].last && a >= 0; ++i)
+        if (store.touch[i] >> w & 1)
+        {
+          const Cell c = cell_of<dim>(store.x, i, a, bodies[k].spacing);
+          for (int p = dim > 1 ? -1 : 0; p <= (dim > 1 ? 1 : 0); ++p)
+            for (int q = dim > 2 ? -1 : 0; q <= (dim > 2 ? 1 : 0); ++q)
+              cells.push_back({static_cast<std::int64_t>(k), static_cast<std::int64_t>(w), c[0] + p, c[1] + q});
+        }
+    }
+  const auto in_order = [](auto &all) {
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+  };
+  in_order(cells);
+  // Away from the walls no images are listed, and nobody asks.
+  if (ranks.alone())
+    return cells;
+  if (std::find(near_wall.begin(), near_wall.end(), 1) == near_wall.end())
+    return {};
+  cells = ranks.gather(cells);
+  in_order(cells);
+  return cells;
+}
+
 template <int dim>
 void Solver<dim>::Implementation::find_active()
 {
   std::fill(active.begin(), active.end(), 0);
-  for (const auto &b : bodies)
+  const auto cells = touched_cells();
+  for (std::size_t k = 0; k < bodies.size() && !cells.empty(); ++k)
     for (std::size_t w = 0; w < wall_axis.size(); ++w)
     {
-      const int a = wall_axis[w];
-      if (a < 0)
+      const auto         &b   = bodies[k];
+      const int           a   = wall_axis[w];
+      const std::int64_t  bit = std::int64_t(1) << w, body = static_cast<std::int64_t>(k), wall = static_cast<std::int64_t>(w);
+      const std::array<std::int64_t, 3> here{body, wall, std::numeric_limits<std::int64_t>::min()};
+      const auto from = std::lower_bound(cells.begin(), cells.end(), here, [](const auto &cell, const auto &at) {
+        return std::lexicographical_compare(cell.begin(), cell.begin() + 3, at.begin(), at.end());
+      });
+      if (a < 0 || from == cells.end() || (*from)[0] != body || (*from)[1] != wall)
         continue;
-      const std::int64_t bit = std::int64_t(1) << w;
-      std::vector<Cell>  cells;
       for (std::size_t i = b.first; i < b.last; ++i)
-        if (store.touch[i] & bit)
+        if (gap(w, store.x[a][i], time) < b.list_radius)
         {
           const Cell c = cell_of<dim>(store.x, i, a, b.spacing);
-          for (int p = dim > 1 ? -1 : 0; p <= (dim > 1 ? 1 : 0); ++p)
-            for (int q = dim > 2 ? -1 : 0; q <= (dim > 2 ? 1 : 0); ++q)
-              cells.push_back({c[0] + p, c[1] + q});
+          if (std::binary_search(from, cells.end(), std::array<std::int64_t, 4>{body, wall, c[0], c[1]}))
+            active[i] |= bit;
         }
-      if (cells.empty())
-        continue;
-      std::sort(cells.begin(), cells.end());
-      cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-      for (std::size_t i = b.first; i < b.last; ++i)
-        if (gap(w, store.x[a][i], time) < b.list_radius &&
-            std::binary_search(cells.begin(), cells.end(), cell_of<dim>(store.x, i, a, b.spacing)))
-          active[i] |= bit;
     }
+  if (!cells.empty())
+    exchange(active);
 }
 
 template <int dim>
-void Solver<dim>::Implementation::append_images(Images &m)
+void Solver<dim>::Implementation::append_images(Images &m, const std::array<std::span<const double>, dim> &x,
+                                                const std::vector<std::array<std::size_t, 2>> &guests)
 {
   if (m.bits == 0) // riders
     return;
   m.range.clear();
-  for (const auto &b : bodies)
+  for (std::size_t body = 0; body < bodies.size(); ++body)
   {
+    const auto                 &b = bodies[body];
     const std::size_t           begin = ghosts.size();
     std::array<double, 3>       sign{1, 1, 1};
     std::vector<input::SymmetryPlane> planes;
@@ -188,28 +213,27 @@ void Solver<dim>::Implementation::append_images(Images &m)
       if (m.wall[a] >= 0)
       {
         sign[a] = -1;
-        listed  = listed && is_near(b, m.wall[a], store.x_listed, time_listed);
+        listed  = listed && is_near(body, m.wall[a]);
       }
     for (const auto &p : parameters.symmetry)
       if (m.wall[p.axis] < 0)
         planes.push_back(p);
     for (unsigned subset = 0; listed && subset < (1u << planes.size()); ++subset)
-      for (std::size_t i = b.first; i < b.last; ++i)
-      {
+      Ghosts::for_each_of({{{b.first, b.last}, guests[body]}}, [&](std::size_t i) {
         std::array<double, 3> s    = sign;
         bool                  near = true;
         for (int a = 0; a < dim; ++a)
           if (m.wall[a] >= 0)
-            near = near && gap(m.wall[a], store.x_listed[a][i], time_listed) < b.list_radius;
+            near = near && gap(m.wall[a], x[a][i], time_listed) < b.list_radius;
         for (std::size_t k = 0; k < planes.size(); ++k)
           if (subset >> k & 1)
           {
-            near = near && store.x_listed[planes[k].axis][i] < b.list_radius;
+            near = near && x[planes[k].axis][i] < b.list_radius;
             s[planes[k].axis] = -1;
           }
         if (near)
           ghosts.push_back(static_cast<std::uint32_t>(i), s, static_cast<int>(&m - images.data()));
-      }
+      });
     m.range.push_back({begin, ghosts.size()});
   }
 }
@@ -250,10 +274,12 @@ void Solver<dim>::Implementation::sweep_images(void (*SweepFunctions::*sweep)(co
 
 template <int dim>
 void Solver<dim>::Implementation::sweep_all(Function f, AlignedVector<double> &sums, std::size_t stride,
-                                            std::size_t n_fields)
+                                            std::size_t n_fields, Function half)
 {
+  if (joint && half != nullptr)
+    std::fill(sums.begin(), sums.end(), 0.);
   for (const auto &b : bodies)
-    (b.sweeps.*f)(sweep_of(b, pairs, sums.data()));
+    (b.sweeps.*(joint && half != nullptr ? half : f))(sweep_of(b, pairs, sums.data()));
   sweep_images(f, &Images::sums);
   add_images(&Images::sums, stride, 0, n_fields, sums);
 }
@@ -261,9 +287,9 @@ void Solver<dim>::Implementation::sweep_all(Function f, AlignedVector<double> &s
 /// Gradients and the like: riders have them too.
 template <int dim>
 void Solver<dim>::Implementation::sweep_riders_too(Function f, AlignedVector<double> &sums, std::size_t stride,
-                                                   std::size_t n_fields)
+                                                   std::size_t n_fields, Function half)
 {
-  sweep_all(f, sums, stride, n_fields);
+  sweep_all(f, sums, stride, n_fields, half);
   for_each_rider_range([&](const Body &b, std::size_t, std::size_t) { (b.sweeps.*f)(rider_sweep_of(b, sums.data())); });
 }
 
@@ -318,21 +344,21 @@ void Solver<dim>::Implementation::book_images(double kick)
   template void   Solver<d>::Implementation::find_wall_axes();                                               \
   template double Solver<d>::Implementation::gap(std::size_t, double, double) const;                         \
   template double Solver<d>::Implementation::rest_gap(const Body &, std::size_t, std::size_t) const;         \
-  template bool   Solver<d>::Implementation::is_near(const Body &, std::size_t,                              \
-                                                     const PerAxis<AlignedVector<double>> &, double) const;  \
   template void   Solver<d>::Implementation::begin_on_walls();                                               \
   template void   Solver<d>::Implementation::touch_walls();                                                  \
   template void   Solver<d>::Implementation::find_active();                                                  \
-  template void   Solver<d>::Implementation::append_images(Images &);                                        \
+  template void   Solver<d>::Implementation::append_images(Images &,                                         \
+                                                           const std::array<std::span<const double>, d> &,   \
+                                                           const std::vector<std::array<std::size_t, 2>> &); \
   template double Solver<d>::Implementation::shift(std::size_t, int, double) const;                          \
   template double Solver<d>::Implementation::shift_rate(std::size_t, int) const;                             \
   template double Solver<d>::Implementation::share(std::size_t) const;                                       \
   template void   Solver<d>::Implementation::sweep_images(void (*SweepFunctions::*)(const Sweep &),          \
                                                           AlignedVector<double> Images::*);                  \
   template void   Solver<d>::Implementation::sweep_all(Function, AlignedVector<double> &, std::size_t,       \
-                                                       std::size_t);                                         \
+                                                       std::size_t, Function);                               \
   template void   Solver<d>::Implementation::sweep_riders_too(Function, AlignedVector<double> &, std::size_t, \
-                                                              std::size_t);                                  \
+                                                              std::size_t, Function);                        \
   template void   Solver<d>::Implementation::add_all(Function, AlignedVector<double> &, std::size_t,         \
                                                      std::size_t);                                           \
   template void   Solver<d>::Implementation::add_images(const AlignedVector<double> Images::*, std::size_t,  \

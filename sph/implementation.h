@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "core/parallel/halo.h"
 #include "sph/axis_factor.h"
 #include "sph/ghosts.h"
 #include "sph/images.h"
@@ -9,10 +10,12 @@
 #include "sph/step_bound.h"
 #include "sph/store.h"
 #include "sph/sweep.h"
+#include "sph/territory.h"
 #include "sph/viscosity/pair.h"
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <optional>
 
 namespace ogive::sph
@@ -38,6 +41,7 @@ struct ReferenceState
   bool                  on = false;
   AlignedVector<double> deformation;    ///< F = dx/dX, column by column
   AlignedVector<double> inverse_moment; ///< B0, column by column
+  std::size_t           own = 0; ///< particles of this rank, in the next three before those of other ranks
   AlignedVector<double> volume, density, modulus; ///< V0, m^dim; rho0; c of reference/sweeps.h at first, Pa
   AlignedVector<double> wave_number;    ///< step_bound.h, of the lattice at rest, 1/m
   AlignedVector<double> stiffness;      ///< of the hourglass potential over mass, 1/s^2
@@ -49,6 +53,8 @@ struct ReferenceState
 /// step; viscous.cc, correct.cc, support.cc: forces, the correction and its
 /// support; motion.cc: kick, boundaries, drift; lists.cc: rebuild and records;
 /// images.cc: images behind rigid walls; surface.cc: what contact sees;
+/// exchange.cc, migrate.cc, stale.cc: particles of other ranks, whose a particle
+/// is, and when lists are too old;
 /// substeps.cc: steps in parts; reference/reference.cc: the reference configuration; axis.cc: axial symmetry;
 /// state.cc: snapshots and checkpoints.
 template <int dim>
@@ -67,6 +73,7 @@ struct Solver<dim>::Implementation
     int                                        scene = 0; ///< index into Scene::bodies
     std::size_t                                first = 0, last = 0;
     std::size_t                                first_rider = 0, last_rider = 0; ///< behind all particles of all bodies
+    std::size_t                                all = 0, all_riders = 0; ///< of all ranks
     double                                     spacing = 0, h = 0, skin = 0;
     PerAxis<double>                            half_cell{}; ///< at the start, m
     std::shared_ptr<const materials::Material> material;
@@ -80,10 +87,21 @@ struct Solver<dim>::Implementation
     bool                                       grows = false; ///< particles may come in
   };
 
+  /// A particle of another rank, as it is first told of (exchange.cc).
+  struct Guest
+  {
+    PerAxis<double> x{};
+    std::int64_t    id    = 0;
+    std::int32_t    body  = 0; ///< index into bodies
+    std::int32_t    rides = 0;
+  };
+
   Parameters        parameters;
+  Ranks             ranks;
   bool              standard = false, correction = false, summation = false;
   bool              variable = false; ///< support of the correction
   bool              sensed   = false; ///< something asks for the sums of the sensor sweep
+  bool              joint    = false; ///< each pair once, forces in one sweep (half/)
   LatticeShares     shares;
   std::optional<AxisFactor> axis_factor; ///< where the scene turns about an axis
   int               viscous_terms  = 1; ///< numbers a pair that a viscosity keeps
@@ -92,12 +110,22 @@ struct Solver<dim>::Implementation
   Store<dim>        store;
   ReferenceState    reference;
 
+  // Ranks: what a run's course decides, part of the state.
+  Territory<dim> territory;
+  std::size_t    cut_at = 0; ///< particles of all ranks when it was cut
+  std::uint64_t  steps  = 0;
+
   // Follow from the store.
+  Halo                                    halo;
+  std::vector<std::int64_t>               guest_id; ///< by ghost; of images 0
+  std::vector<std::vector<Guest>>         guests;   ///< by rank, while lists are built
+  std::vector<std::vector<std::uint32_t>> give, take; ///< beside them: records that go and come
+  std::vector<char>          near_wall;  ///< by body and wall, at the positions of the lists
   Ghosts                     ghosts;
   Pairs                      pairs;
   std::vector<Images>        images;
   std::vector<int>           wall_axis; ///< of walls across an axis, or -1
-  std::vector<std::int64_t>  active;    ///< bit w: images behind wall w act
+  std::vector<std::int64_t>  active;    ///< bit w: images behind wall w act; by record, of images unused
   std::vector<double>        friction_share; ///< see share_friction(), of each wall
   std::vector<double>        press;     ///< velocity that wall w's images gave particle i in the kick
   AlignedVector<double>      force_records, viscous_records, sensor_records, stress_records, correction_records,
@@ -109,14 +137,14 @@ struct Solver<dim>::Implementation
   AlignedVector<double> corrected;         ///< force of the correction alone, where the energy form asks, N
   AlignedVector<double> hoop_force, hoop_viscosity, hoop_weak; ///< radial forces of axis.cc, N
   AlignedVector<double>      wave_number; ///< step_bound.h, 1/m, of the last gradient sweep
-  std::vector<std::uint32_t> index_of_id;
+  std::vector<std::uint32_t> index_of_id; ///< of particles of other ranks Solver::elsewhere
   std::vector<std::int64_t>  near_surface; ///< kept through a rebuild's first sweep: part of the state
   std::vector<std::uint32_t> contact_points;
   std::vector<std::int64_t>  pieces; ///< by id, see set_pieces(): part of the state
   bool                       pieces_stale = false; ///< the lists are of others
   AlignedVector<double>      radius;
   bool                       surface_stale = true;
-  std::size_t                failed        = 0; ///< particles with damage >= 1
+  std::int64_t               failed        = 0; ///< particles with damage >= 1, of all ranks
 
   std::vector<std::int64_t>           slave_ids;
   std::vector<char>                   is_slave; ///< by id
@@ -143,7 +171,8 @@ struct Solver<dim>::Implementation
   Body  &body_of(int scene);
   void   check_growth() const;
   void   rearrange(const std::vector<std::size_t> &from);
-  void   put(const Newcomers<dim> &, std::size_t first);
+  void   put(const Newcomers<dim> &, const std::vector<std::size_t> &which, std::size_t first);
+  std::vector<std::size_t> own_of(const Newcomers<dim> &) const;
   void   settle();
   void   fit_between_walls(const Body &, std::size_t first, std::size_t last);
   void   prepare_riders(Body &);
@@ -155,13 +184,25 @@ struct Solver<dim>::Implementation
   void add_power_at_seam(bool with_forces, double kick);
   /// Particles without riders: [0, n_own()).
   std::size_t n_own() const { return bodies.empty() ? 0 : bodies.back().last; }
-  bool        any_riders() const { return store.size() > n_own(); }
+  /// Particles of all ranks.
+  std::size_t n_all() const
+  {
+    std::size_t n = 0;
+    for (const auto &b : bodies)
+      n += b.all;
+    return n;
+  }
+  /// On any rank.
+  bool any_riders() const
+  {
+    return std::any_of(bodies.begin(), bodies.end(), [](const Body &b) { return b.all_riders > 0; });
+  }
   /// The pairs of particles with riders; images without a wall.
   Images       &seam() { return images.back(); }
   const Images &seam() const { return images.back(); }
   bool          seam_pairs(const Body &b, std::size_t i) const
   {
-    return b.first_rider < b.last_rider && seam().pairs.rows.row[i] < seam().pairs.rows.row[i + 1];
+    return b.all_riders > 0 && seam().pairs.rows.row[i] < seam().pairs.rows.row[i + 1];
   }
   template <class F>
   void for_each_rider_range(F &&f) const
@@ -171,11 +212,40 @@ struct Solver<dim>::Implementation
         f(b, b.first_rider, b.last_rider);
   }
 
+  // exchange.cc
+  void         call_guests();
+  std::array<std::size_t, 2> place_guests(std::size_t body, bool rides, PerAxis<std::vector<double>> &x);
+  void         seat_guests();
+  std::int64_t id_of_record(std::uint32_t record) const; ///< of images that of what they mirror
+  /// Fields [first, last) of the records of guests, from their owners.
+  void exchange(AlignedVector<double> &records, std::size_t stride, std::size_t first, std::size_t last) const;
+  void exchange(std::vector<std::int64_t> &bits) const; ///< by record
+
+  // migrate.cc
+  std::vector<std::vector<std::int64_t>> take_own(std::vector<BodyParticles<dim>> &);
+  void   cut(const PerAxis<std::vector<double>> &x, const std::vector<double> &weight, std::size_t of);
+  double work_of(std::size_t i) const; ///< counted, in directed pairs
+  bool   is_uneven();
+  bool   has_grown() const;
+  void   share_out(bool anew);
+  void   move_to(const std::vector<int> &owner);
+
+  // stale.cc
+  bool   lists_are_stale() const;
+  double least_gap(const Body &, std::size_t w, const PerAxis<AlignedVector<double>> &x, double at) const;
+  void   find_near_walls();
+  /// Whether a particle is closer to wall w than a spacing, at the positions of the lists.
+  bool   is_near(std::size_t body, std::size_t w) const { return near_wall[body * wall_axis.size() + w]; }
+  bool   is_mirrored(std::size_t body, int axis) const;
+  std::vector<double> drift_of_bodies() const;
+  double most_moved(std::size_t first, std::size_t last, const PerAxis<double> &drifted, const PerAxis<double> &apart) const;
+
   // lists.cc
-  bool lists_are_stale() const;
   void sort_particles();
   void rebuild_lists(); ///< from store.x_listed
   void size_pairs(Pairs &) const;
+  /// Ghosts of all bodies and riders, their positions behind those of the own in x.
+  void list_ghosts(PerAxis<std::vector<double>> &x, std::vector<std::array<std::size_t, 2>> &images_of_riders);
   void list_images(const std::array<std::span<const double>, dim> &x);
   /// Drops the pairs of two pieces.
   void part_pieces(NeighbourRows &) const;
@@ -183,6 +253,7 @@ struct Solver<dim>::Implementation
   void pack_motion();
   void reflect_motion();
   void reflect_forces();
+  void reflect_shares(); ///< sound speed and shock share of joint forces
   Sweep sweep_of(const Body &, Pairs &, double *sums);
   Sweep rider_sweep_of(const Body &, double *sums);
 
@@ -195,12 +266,13 @@ struct Solver<dim>::Implementation
   /// in space or a plane, such layers run out as a film (the foot of the copper
   /// bar of 7.2 mm came out at 8.2 mm).
   double rest_gap(const Body &, std::size_t i, std::size_t w) const;
-  /// Whether a particle is closer to wall w than a spacing.
-  bool   is_near(const Body &, std::size_t w, const PerAxis<AlignedVector<double>> &x, double at) const;
   void   begin_on_walls(); ///< moves what begins within its rest gap to it: jittered particles
   void   touch_walls(); ///< from x, v, time and the stress of the step before
   void   find_active();
-  void   append_images(Images &);
+  /// `guests`: records of other ranks' particles of each body.
+  void   append_images(Images &, const std::array<std::span<const double>, dim> &x,
+                       const std::vector<std::array<std::size_t, 2>> &guests);
+  std::vector<std::array<std::int64_t, 4>> touched_cells() const;
   double shift(std::size_t g, int axis, double at) const; ///< x_image = sign x + shift
   double shift_rate(std::size_t g, int axis) const;
   double share(std::size_t g) const; ///< 1 where the image acts, 0 where not
@@ -212,8 +284,9 @@ struct Solver<dim>::Implementation
   void   book_images(double kick);
 
   /// A sweep over all bodies, images behind walls included, into or onto `sums`.
-  void sweep_all(Function, AlignedVector<double> &sums, std::size_t stride, std::size_t n_fields);
-  void sweep_riders_too(Function, AlignedVector<double> &sums, std::size_t stride, std::size_t n_fields);
+  /// `half`: what takes its place where each pair is seen once.
+  void sweep_all(Function, AlignedVector<double> &sums, std::size_t stride, std::size_t n_fields, Function half = nullptr);
+  void sweep_riders_too(Function, AlignedVector<double> &sums, std::size_t stride, std::size_t n_fields, Function half = nullptr);
   void add_all(Function, AlignedVector<double> &sums, std::size_t stride, std::size_t n_fields);
   bool is_used(Function f) const { return bodies.front().sweeps.*f != nullptr; }
   /// Records of the images from those of their parents: `vectors` fields first,
@@ -239,6 +312,8 @@ struct Solver<dim>::Implementation
   // reference/reference.cc
   void check_reference() const; ///< InputError for what it cannot hold
   void begin_reference();       ///< from the first state
+  /// On other ranks than those of the first state, which had the particles `ids`, rank after rank.
+  void begin_reference_again(const ReferenceState &first, const std::vector<std::int64_t> &ids);
   void set_reference();         ///< all that follows, on fresh lists
   void pack_lattice();          ///< X, V0 and rho0 into the force records
   void slopes_of(const Body &); ///< of its pairs
@@ -248,6 +323,8 @@ struct Solver<dim>::Implementation
 
   // viscous.cc
   void              forces();
+  bool              joint_possible() const; ///< for the choice of methods
+  void              join_forces();
   ViscousPoint<dim> viscous_point(const Body &, std::size_t i) const;
   void              sense(); ///< sums of the sensor sweep
   void              advance_switch(double dt);
@@ -297,7 +374,9 @@ struct Solver<dim>::Implementation
   void go_back();
   void write(ArchiveWriter &, const std::string &prefix);
   void read(const ArchiveReader &, const std::string &prefix);
-  void read_ranges(const ArchiveReader &, const std::string &prefix);
+  std::vector<std::size_t> read_ranges(const ArchiveReader &, const std::string &prefix);
+  void place_territory(const ArchiveReader &, const std::string &prefix, bool as_written, std::size_t total);
+  void read_works(const ArchiveReader &, const std::string &prefix);
 
   Culprit culprit(std::size_t i, const char *why) const;
   /// F of the reference configuration.
@@ -321,6 +400,16 @@ struct Solver<dim>::Implementation
   {
     const auto id = static_cast<std::size_t>(store.id[i]);
     return id < energy_share.size() ? energy_share[id] : 1.;
+  }
+  /// Of the pair forces on it, weighed for the step bound, 1/s times the mass.
+  double damping(std::size_t i) const
+  {
+    const double *forces = &force_sums[i * L::forces_stride];
+    if (joint)
+      return forces[L::damping];
+    const double *viscous = &viscous_sums[i * V::sums_stride];
+    return shares.viscosity * viscous[V::direct_rate] + shares.weak * viscous[V::weak_rate] +
+           shares.hourglass * forces[L::hourglass_rate];
   }
   double weight(std::size_t i) const { return standard ? store.mass[i] : store.mass[i] / plane_density(i); }
 };

@@ -6,70 +6,6 @@
 namespace ogive::sph
 {
 template <int dim>
-bool Solver<dim>::Implementation::lists_are_stale() const
-{
-  if (reference.on)
-    return false;
-  if (pieces_stale)
-    return true;
-  for (const auto &b : bodies)
-  {
-    // A body's translation parts no pair, except from its mirror image.
-    std::array<double, dim> drifted{};
-    PerAxis<double>         apart{}; // from walls of different speed
-    for (std::size_t w = 0; w < wall_axis.size(); ++w)
-    {
-      if (wall_axis[w] < 0)
-        continue;
-      const bool near = is_near(b, w, store.x, time);
-      if (near != is_near(b, w, store.x_listed, time_listed))
-        return true;
-      const double path = (time - time_listed) * parameters.walls[w].velocity[wall_axis[w]];
-      if (near)
-        apart[wall_axis[w]] = std::max(apart[wall_axis[w]], std::abs(path));
-    }
-    const auto mirrored = [&](int a) {
-      for (std::size_t w = 0; w < wall_axis.size(); ++w)
-        if (wall_axis[w] == a && is_near(b, w, store.x_listed, time_listed))
-          return true;
-      return std::any_of(parameters.symmetry.begin(), parameters.symmetry.end(),
-                         [a](const auto &p) { return p.axis == a; }) ||
-             std::any_of(parameters.mirrors.begin(), parameters.mirrors.end(),
-                         [a](const auto &m) { return m.axis == a; });
-    };
-    for (int a = 0; a < dim; ++a)
-      if (!mirrored(a))
-        for (std::size_t i = b.first; i < b.last; ++i)
-          drifted[a] += (store.x[a][i] - store.x_listed[a][i]) / (b.last - b.first);
-    const double limit = .25 * b.skin * b.skin;
-    double       most  = 0;
-    for (std::size_t i = b.first; i < b.last; ++i)
-    {
-      double d2 = 0;
-      for (int a = 0; a < dim; ++a)
-      {
-        const double d = std::abs(store.x[a][i] - store.x_listed[a][i] - drifted[a]) + apart[a];
-        d2 += d * d;
-      }
-      most = d2 > most ? d2 : most;
-    }
-    for (std::size_t i = b.first_rider; i < b.last_rider; ++i)
-    {
-      double d2 = 0;
-      for (int a = 0; a < dim; ++a)
-      {
-        const double d = store.x[a][i] - store.x_listed[a][i] - drifted[a];
-        d2 += d * d;
-      }
-      most = d2 > most ? d2 : most;
-    }
-    if (most > limit)
-      return true;
-  }
-  return false;
-}
-
-template <int dim>
 void Solver<dim>::Implementation::sort_particles()
 {
   std::array<std::span<const double>, dim> x;
@@ -88,7 +24,7 @@ void Solver<dim>::Implementation::sort_particles()
   bool sorted = true;
   for (std::size_t k = 0; k < order.size(); ++k)
     sorted &= order[k] == k;
-  if (!sorted)
+  if (!sorted || !ranks.alone()) // of other ranks' particles one says what all say
   {
     store.permute(order);
     std::vector<std::int64_t> old = near_surface;
@@ -102,40 +38,68 @@ void Solver<dim>::Implementation::sort_particles()
 }
 
 template <int dim>
+void Solver<dim>::Implementation::list_ghosts(PerAxis<std::vector<double>> &x,
+                                              std::vector<std::array<std::size_t, 2>> &images_of_riders)
+{
+  const std::size_t n = store.size();
+  std::array<std::span<const double>, dim> view;
+  const auto place = [&] { // new ghosts
+    for (std::size_t g = x[0].size() - n; g < ghosts.size(); ++g)
+      for (int a = 0; a < dim; ++a)
+        x[a].push_back(ghosts.sign[g][a] * x[a][ghosts.parent[g]] + shift(g, a, time_listed));
+  };
+  const auto mirror = [&](std::size_t k, bool rides, std::size_t first, std::size_t last) {
+    const std::size_t begin  = ghosts.size();
+    const auto        guests = place_guests(k, rides, x);
+    for (int a = 0; a < dim; ++a)
+      view[a] = x[a];
+    ghosts.append<dim>(view, begin, {{{first, last}, guests}}, bodies[k].list_radius, parameters.symmetry,
+                       parameters.mirrors);
+    place();
+    return guests;
+  };
+  call_guests();
+  std::vector<std::array<std::size_t, 2>> guests;
+  for (std::size_t k = 0; k < bodies.size(); ++k)
+    guests.push_back(mirror(k, false, bodies[k].first, bodies[k].last));
+  for (auto &m : images)
+  {
+    for (int a = 0; a < dim; ++a)
+      view[a] = x[a];
+    append_images(m, view, guests);
+    place();
+  }
+  for (std::size_t k = 0; k < bodies.size() && any_riders(); ++k)
+  {
+    mirror(k, true, bodies[k].first_rider, bodies[k].last_rider);
+    images_of_riders.push_back(ghosts.range.back());
+  }
+  guest_id.resize(ghosts.size(), 0);
+  seat_guests();
+}
+
+template <int dim>
 void Solver<dim>::Implementation::rebuild_lists()
 {
   const std::size_t n = store.size();
   ghosts.clear();
-  std::array<std::span<const double>, dim> listed;
-  for (int a = 0; a < dim; ++a)
-    listed[a] = store.x_listed[a];
-  for (const auto &b : bodies)
-    ghosts.append<dim>(listed, b.first, b.last, b.list_radius, parameters.symmetry, parameters.mirrors);
+  find_near_walls();
   const bool listed_riders = !images.empty() && images.back().bits == 0;
   if (any_riders() && !listed_riders)
     images.emplace_back();
   if (!any_riders() && listed_riders)
     images.pop_back();
-  for (auto &m : images)
-    append_images(m);
+  PerAxis<std::vector<double>>            x;
   std::vector<std::array<std::size_t, 2>> images_of_riders;
-  for (const auto &b : bodies)
-    if (any_riders())
-    {
-      ghosts.append<dim>(listed, b.first_rider, b.last_rider, b.list_radius, parameters.symmetry, parameters.mirrors);
-      images_of_riders.push_back(ghosts.range.back());
-    }
+  for (int a = 0; a < dim; ++a)
+    x[a].assign(store.x_listed[a].begin(), store.x_listed[a].end());
+  list_ghosts(x, images_of_riders);
   const std::size_t all = n + ghosts.size();
+  active.assign(all, 0);
 
-  PerAxis<std::vector<double>>             x;
   std::array<std::span<const double>, dim> view;
   for (int a = 0; a < dim; ++a)
-  {
-    x[a].assign(listed[a].begin(), listed[a].end());
-    for (std::size_t g = 0; g < ghosts.size(); ++g)
-      x[a].push_back(ghosts.sign[g][a] * listed[a][ghosts.parent[g]] + shift(g, a, time_listed));
     view[a] = x[a];
-  }
   pairs.rows.clear();
   for (std::size_t k = 0; k < bodies.size(); ++k)
     append_rows<dim>(view, bodies[k].first, bodies[k].last, n + ghosts.range[k][0], n + ghosts.range[k][1],
@@ -145,10 +109,18 @@ void Solver<dim>::Implementation::rebuild_lists()
     list_riders(view, images_of_riders);
   part_pieces(pairs.rows);
   pieces_stale = false;
+  if (joint)
+    halve(pairs.rows, n_own());
 
   // One record more: the zeros that fill up the rows.
   force_records.assign((all + 1) * L::force_stride, 0.);
-  viscous_records.assign((all + 1) * viscous_stride, 0.);
+  viscous_records.assign(joint ? 0 : (all + 1) * viscous_stride, 0.);
+  viscous_sums.resize(joint ? 0 : n * V::sums_stride);
+  // Half sweeps write sums of whatever a row names.
+  const std::size_t summed = joint ? all + 1 : n;
+  gradient_sums.resize(summed * L::gradient_stride);
+  force_sums.resize(summed * L::forces_stride);
+  power_sums.resize(summed * L::powers_stride);
   correction_records.assign((all + 1) * (variable ? L::wide_correction_stride : L::correction_stride), 0.);
   if (sensed)
     sensor_records.assign((all + 1) * SensorLayout<dim>::stride, 0.);
@@ -156,11 +128,12 @@ void Solver<dim>::Implementation::rebuild_lists()
     stress_records.assign((all + 1) * StressLayout<dim>::stride, 0.);
   energy_records.assign((all + 1) * L::energy_stride, 0.);
   size_pairs(pairs);
-  index_of_id.resize(n_own());
+  index_of_id.assign(n_all(), Solver::elsewhere);
   for (std::size_t i = 0; i < n_own(); ++i)
     index_of_id[store.id[i]] = static_cast<std::uint32_t>(i);
   for (const auto &b : bodies)
     std::fill(radius.begin() + b.first, radius.begin() + b.last, .5 * b.spacing);
+  diagnostics.own   = n_own();
   diagnostics.pairs = pairs.rows.pairs;
   for (const auto &m : images)
     diagnostics.pairs += m.pairs.rows.pairs;
@@ -208,11 +181,9 @@ void Solver<dim>::Implementation::part_pieces(NeighbourRows &rows) const
 {
   if (pieces.empty())
     return;
-  const std::size_t n     = store.size();
-  const auto        dummy = static_cast<std::uint32_t>(n + ghosts.size());
-  const auto        piece = [&](std::uint32_t i) {
-    const std::size_t who = i < n ? i : ghosts.parent[i - n];
-    const auto        id  = who < n_own() ? static_cast<std::size_t>(store.id[who]) : pieces.size();
+  const auto dummy = static_cast<std::uint32_t>(store.size() + ghosts.size());
+  const auto piece = [&](std::uint32_t i) {
+    const auto id = static_cast<std::size_t>(id_of_record(i)); // riders: negative, beyond all
     return id < pieces.size() ? pieces[id] : -1;
   };
   NeighbourRows kept;
@@ -250,7 +221,7 @@ void Solver<dim>::Implementation::list_riders(const std::array<std::span<const d
       for (std::size_t i = first; i < last; ++i)
         to.push_back(static_cast<std::uint32_t>(i));
     };
-    m.range.push_back({b.first_rider, b.last_rider});
+    m.range.push_back({0, b.all_riders});
     list(riders, b.first_rider, b.last_rider);
     list(riders, n + images_of_riders[k][0], n + images_of_riders[k][1]);
     append_rows_of<dim>(x, b.first, b.last, riders, b.list_radius, dummy, m.pairs.rows);
@@ -288,6 +259,7 @@ void Solver<dim>::Implementation::pack_motion()
 template <int dim>
 void Solver<dim>::Implementation::reflect_motion()
 {
+  exchange(force_records, L::force_stride, 0, L::n_motion);
   for (std::size_t g = 0; g < ghosts.size(); ++g)
   {
     const double *from = &force_records[ghosts.parent[g] * L::force_stride];
@@ -305,6 +277,7 @@ void Solver<dim>::Implementation::reflect_motion()
 template <int dim>
 void Solver<dim>::Implementation::reflect_forces()
 {
+  exchange(force_records, L::force_stride, L::sound, L::n_force);
   for (std::size_t g = 0; g < ghosts.size(); ++g)
   {
     const double *from = &force_records[ghosts.parent[g] * L::force_stride];
@@ -323,6 +296,13 @@ void Solver<dim>::Implementation::reflect_forces()
 }
 
 template <int dim>
+void Solver<dim>::Implementation::reflect_shares()
+{
+  for (std::size_t g = 0; g < ghosts.size(); ++g)
+    image_record(force_records, L::force_stride, g)[L::sound] = force_records[ghosts.parent[g] * L::force_stride + L::sound];
+}
+
+template <int dim>
 Sweep Solver<dim>::Implementation::sweep_of(const Body &b, Pairs &p, double *sums)
 {
   const auto &o = parameters.options;
@@ -331,6 +311,7 @@ Sweep Solver<dim>::Implementation::sweep_of(const Body &b, Pairs &p, double *sum
   s.end                = b.last;
   s.row                = p.rows.row.data();
   s.index              = p.rows.index.data();
+  s.half               = p.rows.half.data();
   s.force_records      = force_records.data();
   s.correction_records = correction_records.data();
   s.energy_records     = energy_records.data();
@@ -356,6 +337,9 @@ Sweep Solver<dim>::Implementation::sweep_of(const Body &b, Pairs &p, double *sum
   s.beta               = o.beta;
   s.hourglass          = o.hourglass;
   s.support            = o.correction_support;
+  s.direct_share       = shares.viscosity;
+  s.weak_share         = shares.weak;
+  s.hourglass_share    = shares.hourglass;
   return s;
 }
 
@@ -374,13 +358,13 @@ Sweep Solver<dim>::Implementation::rider_sweep_of(const Body &b, double *sums)
   template void  Solver<d>::Implementation::list_riders(const std::array<std::span<const double>, d> &,      \
                                                         const std::vector<std::array<std::size_t, 2>> &);    \
   template Sweep Solver<d>::Implementation::rider_sweep_of(const Body &, double *);                          \
-  template bool  Solver<d>::Implementation::lists_are_stale() const;                                         \
   template void  Solver<d>::Implementation::sort_particles();                                                \
   template void  Solver<d>::Implementation::rebuild_lists();                                                 \
   template void  Solver<d>::Implementation::size_pairs(Pairs &) const;                                       \
   template void  Solver<d>::Implementation::list_images(const std::array<std::span<const double>, d> &);     \
   template void  Solver<d>::Implementation::pack_motion();                                                   \
   template void  Solver<d>::Implementation::reflect_motion();                                                \
+  template void  Solver<d>::Implementation::reflect_shares();                                                \
   template void  Solver<d>::Implementation::reflect_forces();                                                \
   template Sweep Solver<d>::Implementation::sweep_of(const Body &, Pairs &, double *);
 OGIVE_INSTANTIATE(1)

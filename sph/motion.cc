@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace ogive::sph
@@ -34,13 +35,17 @@ void Solver<dim>::Implementation::mark_boundaries(const std::vector<BodyParticle
         throw InputError({"", 0, "Boundaries/" + boundary.name}, "particles are held or driven at constant velocity only",
                          "kind fixed or velocity, without a history");
       const double          inf = std::numeric_limits<double>::infinity();
-      std::array<double, 3> lower{inf, inf, inf}, upper{-inf, -inf, -inf};
+      std::array<double, 3> lower{inf, inf, inf}, upper{-inf, -inf, -inf}, below;
       for (std::size_t i = bodies[b].first; i < bodies[b].last; ++i)
         for (int a = 0; a < dim; ++a)
         {
           lower[a] = std::min(lower[a], store.x[a][i] - .5 * bodies[b].spacing);
           upper[a] = std::max(upper[a], store.x[a][i] + .5 * bodies[b].spacing);
         }
+      std::transform(lower.begin(), lower.end(), below.begin(), std::negate<>()); // the box of all ranks' particles
+      ranks.max(std::span<double>(below));
+      ranks.max(std::span<double>(upper));
+      std::transform(below.begin(), below.end(), lower.begin(), std::negate<>());
       const Face face(boundary.face, filled[b].shape, lower, upper, dim, boundary.name);
       for (std::size_t i = bodies[b].first; i < bodies[b].last; ++i)
       {
@@ -98,18 +103,24 @@ double Solver<dim>::Implementation::landing(const Body &b, std::size_t i, std::s
 template <int dim>
 void Solver<dim>::Implementation::share_friction(const TimeStep &t)
 {
-  for (std::size_t w = 0; w < parameters.walls.size(); ++w)
+  const std::size_t   n = parameters.walls.size();
+  std::vector<double> sums(2 * n, 0.); // of all ranks
+  for (std::size_t w = 0; w < n; ++w)
   {
-    double pressing = 0, net = 0;
+    double &pressing = sums[2 * w], &net = sums[2 * w + 1];
     for (const auto &b : bodies)
       for (std::size_t i = b.first; i < b.last; ++i)
         if (is_slave.empty() || !is_slave[store.id[i]])
         {
-          const double push = landing(b, i, w, t), images = press[i * parameters.walls.size() + w];
+          const double push = landing(b, i, w, t), images = press[i * n + w];
           pressing += store.mass[i] * (push + std::max(images, 0.));
           net += store.mass[i] * (push + images);
         }
-    net += works.pull[w];
+  }
+  ranks.sum(std::span<double>(sums));
+  for (std::size_t w = 0; w < n; ++w)
+  {
+    const double pressing = sums[2 * w], net = sums[2 * w + 1] + works.pull[w];
     works.pull[w]     = std::min(net, 0.);
     friction_share[w] = pressing > 0 ? std::clamp(net / pressing, 0., 1.) : 0.;
   }
@@ -222,6 +233,7 @@ void Solver<dim>::Implementation::kick(const TimeStep &t)
       for (int a = 0; a < dim; ++a)
         record[L::v + a] = .5 * (record[L::v + a] + store.v[a][i]);
       record[L::weight] = weight(i);
+      record[L::last_p] = force_records[i * L::force_stride + L::p + dim * dim - 1];
     }
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sph/agree.h"
 #include "sph/corrector.h"
 #include "sph/implementation.h"
 
@@ -67,14 +68,15 @@ StepStatus Solver<dim>::Implementation::advance_material(double dt)
   if (reference.on)
     sweep_all(&SweepFunctions::reference_gradient, gradient_sums, L::gradient_stride, 0);
   else
-    sweep_riders_too(&SweepFunctions::gradient, gradient_sums, L::gradient_stride, L::n_gradient);
+    sweep_riders_too(&SweepFunctions::gradient, gradient_sums, L::gradient_stride, L::n_gradient,
+                     &SweepFunctions::half_gradient);
   if (summation)
     sum_masses();
   if (dt > 0)
     take_rider_states();
   auto       &points = store.points;
   Block       block;
-  std::size_t fallbacks = 0, broken = 0;
+  std::int64_t fallbacks = 0, broken = 0;
   const auto  take = [&](const Body &body, std::size_t first, std::size_t last, bool rides) -> StepStatus {
     for (std::size_t begin = first; begin < last; begin += block_size)
     {
@@ -150,13 +152,18 @@ StepStatus Solver<dim>::Implementation::advance_material(double dt)
     }
     return {};
   };
+  StepStatus status;
   for (const auto &body : bodies)
-    if (const StepStatus status = take(body, body.first, body.last, false); !status.ok)
-      return status;
-  for_each_rider_range([&](const Body &body, std::size_t first, std::size_t last) { take(body, first, last, true); });
-  diagnostics.fallbacks = fallbacks + reference.fallbacks;
-  surface_stale |= broken != failed;
-  failed = broken;
+    if (status = take(body, body.first, body.last, false); !status.ok)
+      break;
+  if (status.ok)
+    for_each_rider_range([&](const Body &body, std::size_t first, std::size_t last) { take(body, first, last, true); });
+  std::array<std::int64_t, 2> counts{fallbacks, broken};
+  if (status = agree(ranks, status, counts); !status.ok)
+    return status;
+  diagnostics.fallbacks = counts[0] + reference.fallbacks;
+  surface_stale |= counts[1] != failed;
+  failed = counts[1];
   reflect_forces();
   if (reference.on)
     reflect_reference();
@@ -169,6 +176,7 @@ void Solver<dim>::Implementation::energy(double kick)
   const std::size_t n = store.size();
   for (std::size_t i = 0; reference.on && i < n; ++i)
     energy_records[i * L::energy_stride + L::weight] = reference.volume[i];
+  exchange(energy_records, L::energy_stride, 0, L::weight + 1);
   for (std::size_t g = 0; g < ghosts.size(); ++g)
   {
     const double *from = &energy_records[ghosts.parent[g] * L::energy_stride];
@@ -179,8 +187,9 @@ void Solver<dim>::Implementation::energy(double kick)
       to[L::v + a] = ghosts.turn[g] * ghosts.sign[g][a] * from[L::v + a] + shift_rate(g, a);
     }
     to[L::weight] = share(g) * from[L::weight];
+    to[L::last_p] = ghosts.turn[g] * from[L::last_p];
   }
-  sweep_all(&SweepFunctions::energy, power_sums, L::powers_stride, 3);
+  sweep_all(&SweepFunctions::energy, power_sums, L::powers_stride, 3, &SweepFunctions::half_energy);
   add_power_at_seam(true, kick);
   for (const auto power : {&SweepFunctions::artificial_stress_power, &SweepFunctions::viscous_power,
                            &SweepFunctions::correction_power, &SweepFunctions::weak_power})

@@ -2,9 +2,11 @@
 #include "sph/solver.h"
 
 #include "core/base/error.h"
+#include "sph/agree.h"
 #include "sph/implementation.h"
 #include "sph/kernels/kernels.h"
 #include "sph/state.h"
+#include "sph/together.h"
 #include "sph/viscosity/viscosities.h"
 
 #include <Eigen/Geometry>
@@ -59,6 +61,7 @@ Parameters settled(Parameters p)
 template <int dim>
 Solver<dim>::Implementation::Implementation(const Parameters &p, std::vector<BodyParticles<dim>> filled)
   : parameters(settled(p))
+  , ranks(parameters.ranks)
   , standard(parameters.options.form == "standard")
   , correction(parameters.options.correction != "none")
   , summation(parameters.options.density == "summation")
@@ -71,6 +74,7 @@ Solver<dim>::Implementation::Implementation(const Parameters &p, std::vector<Bod
   require(p.boundaries.size() == p.boundary_bodies.size(), "one body per boundary");
   require(p.mirrors.empty() || (p.walls.empty() && !reference.on), "mirrors go without walls and reference configuration");
   shares        = lattice_shares<dim>(o);
+  joint         = joint_possible();
   if (p.axisymmetric)
   {
     require(dim == 2, "axial symmetry has two coordinates");
@@ -84,11 +88,16 @@ Solver<dim>::Implementation::Implementation(const Parameters &p, std::vector<Bod
     viscous_terms  = decltype(v)::n_terms;
     viscous_stride = V::stride(decltype(v)::n_fields, o.limiter != "none");
   });
-  std::size_t n = 0;
+  std::vector<std::size_t> all;
+  for (const auto &f : filled)
+    all.push_back(f.x.size());
+  const auto  ids = take_own(filled);
+  std::size_t n   = 0;
   for (const auto &f : filled)
   {
     Body b;
     b.scene    = f.body;
+    b.all      = all[bodies.size()];
     b.first    = n;
     b.last     = n += f.x.size();
     b.spacing  = f.spacing;
@@ -106,7 +115,7 @@ Solver<dim>::Implementation::Implementation(const Parameters &p, std::vector<Bod
     });
     b.sweeps = choose_sweeps<dim>({standard, f.material->parameters().damage.law != "none", o.kernel, o.viscosity,
                                    o.limiter != "none", o.correction, variable,
-                                   !correction || o.shock_split != "none", reference.on});
+                                   !correction || o.shock_split != "none", reference.on, joint});
     if (!(o.artificial_stress > 0))
       b.sweeps.artificial_stress = b.sweeps.artificial_stress_power = nullptr;
     bodies.push_back(b);
@@ -132,7 +141,7 @@ Solver<dim>::Implementation::Implementation(const Parameters &p, std::vector<Bod
       }
       store.mass[i]       = filled[k].mass[i - b.first];
       store.rest_share[i] = 1;
-      store.id[i]   = static_cast<std::int64_t>(i);
+      store.id[i]   = ids[k][i - b.first];
       store.body[i] = b.scene;
     }
     b.material->initialise(store.points, b.first, b.last);
@@ -169,7 +178,7 @@ StepStatus Solver<dim>::step(const TimeStep &t)
   auto &s = *self_;
   s.kick(t);
   s.energy(t.kick);
-  const StepStatus status = s.drift(t.drift);
+  const StepStatus status = agree(s.ranks, s.drift(t.drift));
   return status.ok ? s.arrive(t) : status;
 }
 
@@ -177,8 +186,11 @@ template <int dim>
 StepStatus Solver<dim>::Implementation::arrive(const TimeStep &t)
 {
   time = t.time + t.drift;
-  if (lists_are_stale())
+  ++steps;
+  const bool uneven = is_uneven();
+  if (uneven || lists_are_stale())
   {
+    share_out(uneven);
     sort_particles();
     rebuild_lists();
     surface_stale = true;
@@ -212,20 +224,14 @@ void Solver<dim>::set_pieces(std::span<const std::int64_t> piece_of_id)
 template <int dim>
 StepLimit Solver<dim>::stable_dt() const
 {
-  using L         = Layout<dim>;
-  using V         = ViscousLayout<dim>;
   const auto &s   = *self_;
   StepLimit   limit;
   std::size_t who = s.n_own();
   for (const auto &body : s.bodies)
     for (std::size_t i = body.first; i < body.last; ++i)
     {
-      const double *forces = &s.force_sums[i * L::forces_stride];
       const double  w = s.store.points.sound_speed[i] * s.shares.frequency * s.wave_number[i];
-      const double *viscous = &s.viscous_sums[i * V::sums_stride];
-      const double  damping = (s.shares.viscosity * viscous[V::direct_rate] + s.shares.weak * viscous[V::weak_rate] +
-                              s.shares.hourglass * forces[L::hourglass_rate]) /
-                             s.store.mass[i];
+      const double  damping = s.damping(i) / s.store.mass[i];
       double dt = s.parameters.options.step_factor *
                   largest_step(s.parameters.axisymmetric ? s.ring_frequency(body, i, w) : w, damping);
       if (s.parameters.axisymmetric)
@@ -238,7 +244,7 @@ StepLimit Solver<dim>::stable_dt() const
     }
   if (who < s.n_own())
     limit.culprit = s.culprit(who, "stiffness and viscosity of its pairs");
-  return limit;
+  return tightest(s.ranks, limit);
 }
 
 template <int dim>
@@ -304,6 +310,7 @@ Balance Solver<dim>::balance() const
   b.external_work = s.works.external;
   b.wall_loss     = s.works.wall_loss;
   b.friction_heat = s.works.friction;
+  sum_over(s.ranks, b);
   b.gradient_fallbacks = static_cast<double>(s.diagnostics.fallbacks);
   return b;
 }
@@ -347,13 +354,14 @@ Sample Solver<dim>::sample(int body) const
     for (std::size_t i = b.first; i < b.last; ++i)
       out.volume.push_back(s.store.mass[i] / p.density[i]);
   }
+  gather(s.ranks, out);
   return out;
 }
 
 template <int dim>
 std::size_t Solver<dim>::size() const
 {
-  return self_->n_own();
+  return self_->n_all();
 }
 template <int dim>
 std::uint64_t Solver<dim>::updates() const
@@ -363,7 +371,7 @@ std::uint64_t Solver<dim>::updates() const
 template <int dim>
 double Solver<dim>::wall_force(std::size_t w) const
 {
-  return self_->wall_forces.at(w);
+  return self_->ranks.sum(self_->wall_forces.at(w));
 }
 template <int dim>
 std::span<const std::uint32_t> Solver<dim>::index_of_id() const
@@ -373,7 +381,9 @@ std::span<const std::uint32_t> Solver<dim>::index_of_id() const
 template <int dim>
 Diagnostics Solver<dim>::diagnostics() const
 {
-  return self_->diagnostics;
+  Diagnostics d = self_->diagnostics;
+  d.pairs       = static_cast<std::size_t>(self_->ranks.sum(static_cast<std::int64_t>(d.pairs)));
+  return d;
 }
 
 template <int dim>
@@ -381,14 +391,16 @@ void Solver<dim>::set_slaves(std::span<const std::int64_t> ids)
 {
   auto &s = *self_;
   s.slave_ids.assign(ids.begin(), ids.end());
-  s.is_slave.assign(ids.empty() ? 0 : s.n_own(), 0);
+  s.is_slave.assign(ids.empty() ? 0 : s.n_all(), 0);
   for (const auto id : ids)
     s.is_slave.at(id) = 1;
   for (auto &v : s.slave_velocity)
     v.assign(s.is_slave.size(), 0.);
-  for (std::size_t i = 0; i < s.is_slave.size(); ++i)
+  for (std::size_t i = 0; i < s.n_own() && !ids.empty(); ++i)
     for (int a = 0; a < dim; ++a)
       s.slave_velocity[a][s.store.id[i]] = s.store.v[a][i];
+  for (auto &v : s.slave_velocity)
+    s.ranks.sum(std::span<double>(v));
 }
 
 template <int dim>
@@ -399,13 +411,15 @@ void Solver<dim>::weigh(std::span<const std::int64_t> ids, std::span<const doubl
     throw InputError({"", 0, "SPH/configuration"}, "particles that share their energy with elements know neither the "
                                                    "reference configuration nor an axis",
                      "current, in a plane or in space");
-  s.energy_share.resize(s.n_own(), 1.);
+  s.energy_share.resize(s.n_all(), 1.);
   for (std::size_t k = 0; k < ids.size(); ++k)
   {
     require(shares[k] > 0 && shares[k] <= 1, "a share lies above 0 and not above 1");
     s.energy_share[static_cast<std::size_t>(ids[k])] = shares[k];
   }
-  s.follow(false);
+  const bool joint = s.joint;
+  s.joint          = false; // joint forces know no shares
+  s.follow(joint);
 }
 
 template <int dim>
@@ -424,10 +438,12 @@ void Solver<dim>::slave_forces(const std::array<std::span<double>, dim> &force) 
   const auto &s = *self_;
   for (std::size_t k = 0; k < s.slave_ids.size(); ++k)
   {
-    const std::size_t i = s.index_of_id[s.slave_ids[k]];
+    const std::uint32_t i = s.index_of_id[s.slave_ids[k]];
     for (int a = 0; a < dim; ++a)
-      force[a][k] = s.force_sums[i * L::forces_stride + L::f_sum + a] + s.store.external[a][i];
+      force[a][k] = i == elsewhere ? 0. : s.force_sums[i * L::forces_stride + L::f_sum + a] + s.store.external[a][i];
   }
+  for (int a = 0; a < dim; ++a) // each has one owner
+    s.ranks.sum(force[a].first(s.slave_ids.size()));
 }
 
 template <int dim>

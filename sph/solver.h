@@ -8,6 +8,7 @@
 #include "core/input/scene.h"
 #include "core/io/archive.h"
 #include "core/materials/material.h"
+#include "core/parallel/ranks.h"
 #include "core/time/time_step.h"
 #include "sph/mirror.h"
 #include "sph/newcomers.h"
@@ -46,6 +47,8 @@ struct Parameters
   std::vector<input::Boundary>       boundaries; ///< fixed and velocity, by Boundary::body through `boundary_bodies`
   std::vector<int>                   boundary_bodies;
   std::vector<Mirror>                mirrors{}; ///< for measurements; not with walls or a reference configuration
+  input::ParallelOptions             parallel{}; ///< when particles are shared among the ranks anew
+  Ranks                              ranks{};    ///< that share the particles
 };
 
 /// What a run should watch.
@@ -54,10 +57,20 @@ struct Diagnostics
   std::size_t   fallbacks = 0; ///< particles whose corrected gradient fell back to the plain one, last step
   std::size_t   pairs     = 0; ///< directed pairs in the lists, skin included
   std::uint64_t rebuilds  = 0; ///< of the neighbour lists since construction
+  std::size_t   own       = 0; ///< particles of this rank
+  std::size_t   halo      = 0; ///< particles of other ranks that its pairs need
+  double        imbalance = 1; ///< most over mean counted work of a rank (sph/migrate.cc), when last looked at
+  std::uint64_t migrated  = 0; ///< particles that went from this rank to another
 };
 
 /// Smoothed particle hydrodynamics of solids, total set of bodies of a scene.
 /// Bodies do not feel each other here: contact belongs to the coupling layer.
+///
+/// On several ranks each owns the particles of a part of space. All functions
+/// are called by all ranks alike and answer alike, but for those that show a
+/// rank its own particles: surface(), damage(), index_of_id(), seam_forces(),
+/// seam_normals(), and updates(), which counts them. Lists that come in (bodies,
+/// slaves, pieces, shares, newcomers, riders) are the same on all ranks.
 template <int dim>
 class Solver
 {
@@ -101,7 +114,9 @@ public:
   /// linear viscosity of a pair act by the mean of its two shares. The rest
   /// belongs to the elements that carry them. Once, before the first step.
   void weigh(std::span<const std::int64_t> ids, std::span<const double> shares);
-  /// Present index of each particle id (particles are reordered as they move).
+  /// Present index of each particle id (particles are reordered as they move);
+  /// of those of other ranks `elsewhere`.
+  static constexpr std::uint32_t elsewhere = 0xffffffffu;
   std::span<const std::uint32_t> index_of_id() const;
 
   /// Damage of each particle by its present index.

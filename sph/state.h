@@ -19,5 +19,9 @@ struct Solver<dim>::Implementation::State
   std::uint64_t             topology = 0;
   std::uint64_t             rebuilds = 0;
   std::vector<std::int64_t> pieces{};
+  std::vector<Body>         bodies{}; ///< their ranges
+  Territory<dim>            territory{};
+  std::size_t               cut_at = 0;
+  std::uint64_t             steps  = 0;
 };
 } // namespace ogive::sph

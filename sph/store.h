@@ -69,13 +69,20 @@ struct Store
     points.for_each_array(f);
   }
 
+  /// The fields that are no doubles.
+  template <class F>
+  void for_each_integer(F &&f)
+  {
+    f("id", id);
+    f("fixed", fixed);
+    f("touch", touch);
+    f("body", body);
+  }
+
   void resize(std::size_t n)
   {
     for_each_array([n](const std::string &, auto &a) { a.resize(n, 0.); });
-    id.resize(n);
-    fixed.resize(n, 0);
-    touch.resize(n, 0);
-    body.resize(n);
+    for_each_integer([n](const char *, auto &a) { a.resize(n, 0); });
   }
 
   /// Particle k becomes the one that was at order[k].
@@ -87,10 +94,7 @@ struct Store
         a[k] = old[order[k]];
     };
     for_each_array([&](const std::string &, auto &a) { apply(a); });
-    apply(id);
-    apply(fixed);
-    apply(touch);
-    apply(body);
+    for_each_integer([&](const char *, auto &a) { apply(a); });
   }
 };
 } // namespace ogive::sph

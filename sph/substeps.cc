@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/base/error.h"
+#include "sph/agree.h"
 #include "sph/implementation.h"
 
 /// A step of the particles in parts: their forces act once, as one impulse at
@@ -35,7 +36,7 @@ StepStatus Solver<dim>::begin(const TimeStep &whole, const TimeStep &part)
   }
   s.kick(whole);
   s.part_first = s.store.v;
-  return s.drift(part.drift);
+  return agree(s.ranks, s.drift(part.drift));
 }
 
 template <int dim>
@@ -66,7 +67,7 @@ StepStatus Solver<dim>::go_on(const TimeStep &part)
         s.store.v[a][i] += part.kick * f / s.store.mass[i];
       s.part_path[a][i] += part.drift * (s.store.v[a][i] - s.part_first[a][i]);
     }
-  return s.drift(part.drift);
+  return agree(s.ranks, s.drift(part.drift));
 }
 
 template <int dim>
@@ -93,7 +94,7 @@ StepStatus Solver<dim>::finish(const TimeStep &whole)
 template <int dim>
 double Solver<dim>::parts_error() const
 {
-  return self_->works.parts_error;
+  return self_->ranks.sum(self_->works.parts_error);
 }
 
 #define OGIVE_INSTANTIATE(d)                                                                                 \

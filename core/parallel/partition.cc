@@ -189,6 +189,17 @@ void Partition<dim>::meets(const std::array<double, dim> &lower, const std::arra
   std::sort(ranks.begin(), ranks.end());
 }
 
+template <int dim>
+void Partition<dim>::box(int rank, std::array<double, dim> &lower, std::array<double, dim> &upper) const
+{
+  require(!self_->ranks.alone(), "boxes of ranks where there are several");
+  int                   n = 0;
+  std::array<double, 3> low{}, up{};
+  check(Zoltan_RCB_Box(self_->zoltan, rank, &n, &low[0], &low[1], &low[2], &up[0], &up[1], &up[2]), "the box of a rank");
+  std::copy_n(low.begin(), dim, lower.begin());
+  std::copy_n(up.begin(), dim, upper.begin());
+}
+
 template class Partition<1>;
 template class Partition<2>;
 template class Partition<3>;

@@ -30,6 +30,9 @@ public:
   int at(const std::array<double, dim> &x) const;
   /// All ranks whose boxes a box meets, ascending, this one too. After cut().
   void meets(const std::array<double, dim> &lower, const std::array<double, dim> &upper, std::vector<int> &ranks) const;
+  /// The box of a rank, all x with lower < x <= upper: what cut() decided, to be
+  /// kept or saved. After cut(), and not where this process is alone.
+  void box(int rank, std::array<double, dim> &lower, std::array<double, dim> &upper) const;
 
 private:
   struct Implementation;

@@ -72,6 +72,7 @@ void Solver<dim>::Implementation::begin_reference()
   const std::size_t n = store.size();
   auto             &r = reference;
   r.density           = store.points.density;
+  r.own               = n;
   for (auto *a : {&r.volume, &r.modulus, &r.wave_number, &r.stiffness})
     a->assign(n, 0.);
   r.deformation.assign(n * dim * dim, 0.);
@@ -84,6 +85,28 @@ void Solver<dim>::Implementation::begin_reference()
     for (int a = 0; a < dim; ++a)
       r.deformation[i * dim * dim + a * dim + a] = 1;
   }
+}
+
+template <int dim>
+void Solver<dim>::Implementation::begin_reference_again(const ReferenceState &first, const std::vector<std::int64_t> &ids)
+{
+  auto             &r       = reference;
+  const auto        as_they_were = [&](const AlignedVector<double> &of, AlignedVector<double> &to) {
+    const auto          all = ranks.gather(std::span(of.data(), first.own));
+    std::vector<double> by_id(ids.size());
+    for (std::size_t k = 0; k < ids.size(); ++k)
+      by_id[static_cast<std::size_t>(ids[k])] = all[k];
+    to.resize(store.size());
+    for (std::size_t i = 0; i < store.size(); ++i)
+      to[i] = by_id.at(static_cast<std::size_t>(store.id[i]));
+  };
+  as_they_were(first.density, r.density);
+  as_they_were(first.volume, r.volume);
+  as_they_were(first.modulus, r.modulus);
+  r.own = store.size();
+  for (auto *a : {&r.wave_number, &r.stiffness})
+    a->assign(store.size(), 0.);
+  r.inverse_moment.assign(store.size() * dim * dim, 0.);
 }
 
 template <int dim>
@@ -139,20 +162,26 @@ void Solver<dim>::Implementation::set_reference()
   r.slope.assign(pairs.rows.index.size(), 0.);
   r.viscous_slope.assign(pairs.rows.index.size(), 0.);
   pack_motion();
+  for (auto *a : {&r.volume, &r.density, &r.modulus}) // those of other ranks' particles behind
+  {
+    a->resize(store.size() + ghosts.size());
+    exchange(*a, 1, 0, 1);
+  }
   for (const auto &b : bodies)
     slopes_of(b);
   sweep_all(&SweepFunctions::gradient, gradient_sums, L::gradient_stride, L::n_gradient);
-  r.fallbacks = 0;
+  std::int64_t fallbacks = 0;
   for (std::size_t i = 0; i < store.size(); ++i)
   {
     const double                  *sums = &gradient_sums[i * L::gradient_stride];
     const Eigen::Map<const Vector> normal(sums + L::normal_sum);
     Matrix                         b;
-    r.fallbacks += !corrector<dim>(moment(i), b);
+    fallbacks += !corrector<dim>(moment(i), b);
     std::copy(b.data(), b.data() + dim * dim, &r.inverse_moment[i * dim * dim]);
     r.wave_number[i] = b.cwiseAbs().rowwise().sum().maxCoeff() * sums[L::stiffness_sum] +
                        surface_share * (b * normal).norm();
   }
+  r.fallbacks = ranks.sum(fallbacks);
 }
 
 /// From the sums `l` of the gradient sweep: F at the end of the step, exact
@@ -216,12 +245,14 @@ template <int dim>
 void Solver<dim>::Implementation::reflect_reference()
 {
   using R = ReferenceLayout<dim>;
+  exchange(reference.records, R::stride, 0, R::n_fields);
   for (std::size_t g = 0; g < ghosts.size(); ++g)
   {
     const double *from = &reference.records[ghosts.parent[g] * R::stride];
     double       *to   = image_record(reference.records, R::stride, g);
     const auto   &s    = ghosts.sign[g];
-    std::copy(from, from + R::stride, to);
+    if (from != to)
+      std::copy(from, from + R::stride, to);
     for (int a = 0; a < dim; ++a)
     {
       for (const int at : {R::reference, R::x, R::v})
@@ -238,6 +269,8 @@ void Solver<dim>::Implementation::reflect_reference()
 #define OGIVE_INSTANTIATE(d)                                                                                 \
   template void Solver<d>::Implementation::check_reference() const;                                          \
   template void Solver<d>::Implementation::begin_reference();                                                \
+  template void Solver<d>::Implementation::begin_reference_again(const ReferenceState &,                     \
+                                                                 const std::vector<std::int64_t> &);         \
   template void Solver<d>::Implementation::slopes_of(const Body &);                                          \
   template void Solver<d>::Implementation::pack_lattice();                                                   \
   template void Solver<d>::Implementation::set_reference();                                                  \
