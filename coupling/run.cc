@@ -39,7 +39,7 @@ public:
     , log_(log)
     , ranks_(ranks)
     , control_(step_control(scene))
-    , model_(scene)
+    , model_(scene, Setup(), ranks)
     , directory_(open())
     , traffic_(ranks)
     , clock_(scene.end_time, control_)
@@ -299,7 +299,7 @@ io::Summary Run<dim>::finish()
   summary.commit                       = labels_.commit;
   summary.wall_s                       = seconds();
   summary.ranks                        = ranks_.size();
-  const double sph_seconds = ranks_.sum(model_.sph_seconds()), fem_seconds = ranks_.sum(model_.fem_seconds());
+  const double sph_seconds = model_.sph_seconds(), fem_seconds = model_.fem_seconds();
   summary.core_s                       = sph_seconds + fem_seconds;
   summary.steps                        = clock_.step();
   summary.end_time_s                   = clock_.time();
@@ -307,6 +307,12 @@ io::Summary Run<dim>::finish()
   summary.elements                     = static_cast<std::int64_t>(model_.elements());
   summary.sph_particle_steps_per_core_s = rate(model_.particle_updates(), sph_seconds);
   summary.fem_element_steps_per_core_s  = rate(model_.element_updates(), fem_seconds);
+  if (!ranks_.alone())
+  {
+    RankShare own = model_.share();
+    traffic_.tell(own);
+    summary.shares = ranks_.gather_one(own);
+  }
   summary.certificates                 = certificates_;
   summary.warnings                     = log_.warnings();
   on_first(ranks_, [&] { io::write_summary(directory_.summary(), summary); });

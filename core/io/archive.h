@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "core/parallel/ranks.h"
+
 #include <cstdint>
 #include <span>
 #include <string>
@@ -19,11 +21,17 @@ public:
   void         write(const std::string &name, double v) { write(name, std::span<const double>(&v, 1)); }
   void write(const std::string &name, std::int64_t v) { write(name, std::span<const std::int64_t>(&v, 1)); }
 
-  /// On ranks: values of which each rank has its own part, put one after the other
-  /// in the order of ranks. Called by all ranks alike, as write() is, which takes
-  /// what is the same on all of them. To an archive of one process a part is the whole.
-  virtual void write_parts(const std::string &name, std::span<const double> own) { write(name, own); }
-  virtual void write_parts(const std::string &name, std::span<const std::int64_t> own) { write(name, own); }
+  /// Values of which each of these ranks has its own part, put one after the other in
+  /// the order of ranks. Called by all alike, as write() is, which takes what is the
+  /// same on all of them.
+  virtual void write_parts(const Ranks &ranks, const std::string &name, std::span<const double> own)
+  {
+    write(name, ranks.gather(own));
+  }
+  virtual void write_parts(const Ranks &ranks, const std::string &name, std::span<const std::int64_t> own)
+  {
+    write(name, ranks.gather(own));
+  }
 };
 
 /// The other direction; on ranks each gets all values. A missing name is an InputError that says which file

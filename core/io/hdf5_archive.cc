@@ -49,13 +49,15 @@ void Hdf5ArchiveWriter::write(const std::string &name, std::span<const std::int6
   file_->write(name, values);
 }
 
-void Hdf5ArchiveWriter::write_parts(const std::string &name, std::span<const double> own)
+void Hdf5ArchiveWriter::write_parts(const Ranks &ranks, const std::string &name, std::span<const double> own)
 {
+  require(ranks.size() == ranks_.size(), "an archive takes parts of the ranks that write it");
   file_->write_parts(name, own);
 }
 
-void Hdf5ArchiveWriter::write_parts(const std::string &name, std::span<const std::int64_t> own)
+void Hdf5ArchiveWriter::write_parts(const Ranks &ranks, const std::string &name, std::span<const std::int64_t> own)
 {
+  require(ranks.size() == ranks_.size(), "an archive takes parts of the ranks that write it");
   file_->write_parts(name, own);
 }
 

@@ -35,8 +35,9 @@ public:
   using ArchiveWriter::write;
   void write(const std::string &name, std::span<const double> values) override;
   void write(const std::string &name, std::span<const std::int64_t> values) override;
-  void write_parts(const std::string &name, std::span<const double> own) override;
-  void write_parts(const std::string &name, std::span<const std::int64_t> own) override;
+  /// `ranks`: those that write the file.
+  void write_parts(const Ranks &ranks, const std::string &name, std::span<const double> own) override;
+  void write_parts(const Ranks &ranks, const std::string &name, std::span<const std::int64_t> own) override;
   void write_text(const std::string &name, const std::string &text);
 
   void commit();

@@ -3,21 +3,15 @@
 
 #include "core/base/error.h"
 #include "core/io/archive.h"
-#include "core/parallel/ranks.h"
 
 #include <map>
-#include <utility>
 
 namespace ogive::io
 {
-/// A checkpoint that stays in memory, on ranks whole on each of them.
+/// A checkpoint that stays in memory.
 class MemoryArchive final : public ArchiveWriter, public ArchiveReader
 {
 public:
-  explicit MemoryArchive(Ranks ranks = {})
-    : ranks_(std::move(ranks))
-  {}
-
   using ArchiveWriter::write;
   void write(const std::string &name, std::span<const double> values) override
   {
@@ -26,14 +20,6 @@ public:
   void write(const std::string &name, std::span<const std::int64_t> values) override
   {
     integers_[name].assign(values.begin(), values.end());
-  }
-  void write_parts(const std::string &name, std::span<const double> own) override
-  {
-    doubles_[name] = ranks_.gather(own);
-  }
-  void write_parts(const std::string &name, std::span<const std::int64_t> own) override
-  {
-    integers_[name] = ranks_.gather(own);
   }
   std::vector<double>       doubles(const std::string &name) const override { return find(doubles_, name); }
   std::vector<std::int64_t> integers(const std::string &name) const override { return find(integers_, name); }
@@ -48,7 +34,6 @@ private:
     return at->second;
   }
 
-  Ranks                                            ranks_;
   std::map<std::string, std::vector<double>>       doubles_;
   std::map<std::string, std::vector<std::int64_t>> integers_;
 };
