@@ -6,6 +6,7 @@
 #include "core/base/sample.h"
 #include "core/input/scene.h"
 #include "core/io/archive.h"
+#include "core/parallel/rank_share.h"
 #include "core/parallel/ranks.h"
 #include "core/time/time_step.h"
 #include "coupling/conversion.h"
@@ -96,6 +97,8 @@ public:
   double        sph_seconds() const { return ranks_.sum(sph_seconds_); }
   double        fem_seconds() const { return ranks_.sum(fem_seconds_); }
   const Ranks  &ranks() const { return ranks_; }
+  /// What this rank has of all; what it tells others is not in it.
+  RankShare     share() const;
 
 private:
   /// `moves`: of points that would overlap.

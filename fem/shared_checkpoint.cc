@@ -53,7 +53,7 @@ void Solver<dim>::Implementation::save_shared(ArchiveWriter &archive, const std:
   {
     const std::string group = "group" + std::to_string(g) + "/";
     for (const auto &array : stores[g].arrays)
-      write(group + array.name, ranks.gather(array.values));
+      archive.write_parts(ranks, prefix + "/" + group + array.name, std::span<const double>(array.values));
     for (const auto &array : stores[g].nodes)
       write(group + array.name, array.values);
     const double limit[] = {stores[g].bound, stores[g].element};
