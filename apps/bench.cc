@@ -1,55 +1,62 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "apps/bench_report.h"
 #include "apps/commands.h"
-
-#include "core/base/machine_limits.h"
+#include "commit.h"
 #include "core/input/reader.h"
 #include "core/io/files.h"
 #include "fem/bench.h"
 #include "fem/work_count.h"
 #include "sph/bench.h"
 
-#include <nlohmann/json.hpp>
-
 #include <cstdio>
 
 namespace ogive::apps
 {
+namespace
+{
+using Copper = std::shared_ptr<const materials::Material>;
+
+std::string cube(int edge)
+{
+  return std::to_string(edge) + "^3";
+}
+
+void bench_particles(BenchReport &report, const BenchArguments &a, const Copper &copper)
+{
+  const sph::BenchResult r = sph::bench(a.sph_edge, a.steps, copper);
+  report.kernels.push_back({"sph_step", "particle-steps",
+                            cube(a.sph_edge) + ", cubic kernel, h = 1.3 dx, defaults of a scene, Johnson-Cook copper",
+                            r.particle_steps_per_s});
+  report.figures.emplace_back("sph_neighbours", r.neighbours);
+  report.figures.emplace_back("sph_rebuild_interval", r.rebuild_interval);
+}
+
+void bench_elements(BenchReport &report, const BenchArguments &a, const Copper &copper)
+{
+  const fem::BenchResult r    = fem::bench(a.fem_edge, a.steps, copper);
+  const fem::ElementWork work = fem::count_work(a.fem_edge, copper->parameters());
+  report.kernels.push_back({"fem_one_point_step", "element-steps",
+                            cube(a.fem_edge) + " hexahedra, one point, hourglass stiffness, Johnson-Cook copper that flows",
+                            r.element_steps_per_second, work.bytes, work.flops});
+}
+} // namespace
+
 void bench(const BenchArguments &a)
 {
-  const std::shared_ptr<const materials::Material> copper =
-    materials::make_material(input::read_material("copper-ofhc"));
+  const std::vector<BenchReport> kept   = read_kept(a.kept); // before the work, if it is not such a file
+  const Copper                   copper = materials::make_material(input::read_material("copper-ofhc"));
 
-  const sph::BenchResult particles = sph::bench(a.sph_edge, a.steps, copper);
-  std::printf("particles: %.3g particle-steps/s, %d^3 in 3-D, %.1f neighbours listed, lists rebuilt every %.0f steps\n"
-              "           (cubic kernel, h = 1.3 dx, corrected form, pairwise correction, Johnson-Cook copper)\n",
-              particles.particle_steps_per_s, a.sph_edge, particles.neighbours, particles.rebuild_interval);
+  BenchReport report;
+  report.commit    = OGIVE_COMMIT;
+  report.processor = processor_name();
+  bench_particles(report, a, copper);
+  bench_elements(report, a, copper);
+  report.limits = measure_limits(); // of the same machine, at the same moment
 
-  const fem::BenchResult elements = fem::bench(a.fem_edge, a.steps, copper);
-  std::printf("elements:  %.3g element-steps/s, %d^3 one-point hexahedra, hourglass stiffness, Johnson-Cook copper\n",
-              elements.element_steps_per_second, a.fem_edge);
-
-  // One core of the same machine, at the same moment.
-  const MachineLimits    limits = measure_limits();
-  const fem::ElementWork work   = fem::count_work(a.fem_edge, copper->parameters());
-  const double by_memory = limits.bytes_per_s / work.bytes, by_arithmetic = limits.flops / work.flops;
-  std::printf("limits:    %.3g GB/s of memory (triad), %.3g Gflop/s (multiply-adds)\n"
-              "           an element-step: %.0f bytes at least, %.0f operations: at most %.3g M/s and %.3g M/s\n"
-              "           elements reach %.0f %% and %.0f %% of these\n",
-              1e-9 * limits.bytes_per_s, 1e-9 * limits.flops, work.bytes, work.flops, 1e-6 * by_memory,
-              1e-6 * by_arithmetic, 100 * elements.element_steps_per_second / by_memory,
-              100 * elements.element_steps_per_second / by_arithmetic);
-
+  std::fputs(describe(report, kept).c_str(), stdout);
   if (!a.json.empty())
-  {
-    const nlohmann::ordered_json figures = {{"sph_particle_steps_per_core_s", particles.particle_steps_per_s},
-                                            {"sph_neighbours", particles.neighbours},
-                                            {"sph_rebuild_interval", particles.rebuild_interval},
-                                            {"fem_element_steps_per_core_s", elements.element_steps_per_second},
-                                            {"memory_bytes_per_s", limits.bytes_per_s},
-                                            {"multiply_add_flops_per_s", limits.flops},
-                                            {"fem_bytes_per_element_step", work.bytes},
-                                            {"fem_flops_per_element_step", work.flops}};
-    io::write_whole(a.json, figures.dump(2) + "\n");
-  }
+    io::write_whole(a.json, to_json(report));
+  if (a.keep)
+    keep(a.kept, report);
 }
 } // namespace ogive::apps

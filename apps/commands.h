@@ -48,6 +48,8 @@ struct BenchArguments
   int    fem_edge = 48; ///< elements along an edge of the block
   int    steps    = 20;
   std::string json; ///< file for the figures, empty for none
+  std::string kept = "results/bench.json"; ///< results of before, to compare with
+  bool        keep = false;                ///< adds this one to them
 };
 
 void check(const CheckArguments &);

@@ -74,6 +74,9 @@ int main(int argc, char *argv[])
   bench->add_option("--fem-edge", bench_arguments.fem_edge, "elements along an edge")->check(CLI::Range(4, 300));
   bench->add_option("--steps", bench_arguments.steps, "steps to time")->check(CLI::Range(2, 100000));
   bench->add_option("--json", bench_arguments.json, "write the figures to this file");
+  bench->add_option("--kept", bench_arguments.kept, "file of kept results; the last one is compared with")
+    ->capture_default_str();
+  bench->add_flag("--keep", bench_arguments.keep, "add this result to the kept ones");
 
   try
   {

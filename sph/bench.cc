@@ -4,8 +4,8 @@
 #include "core/base/error.h"
 #include "sph/fill.h"
 
-#include <chrono>
 #include <cmath>
+#include <ctime>
 
 namespace ogive::sph
 {
@@ -40,12 +40,12 @@ BenchResult bench(int edge, int steps, std::shared_ptr<const materials::Material
   };
   run(5);
   const auto rebuilds = solver.diagnostics().rebuilds;
-  const auto start    = std::chrono::steady_clock::now();
+  const auto start    = std::clock();
   run(steps);
-  const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 
   BenchResult r;
-  r.particle_steps_per_s = solver.size() * static_cast<double>(steps) / wall;
+  r.particle_steps_per_s = solver.size() * static_cast<double>(steps) / seconds;
   r.neighbours           = solver.diagnostics().pairs / static_cast<double>(solver.size());
   const auto built       = solver.diagnostics().rebuilds - rebuilds;
   r.rebuild_interval     = built > 0 ? static_cast<double>(steps) / built : steps;

@@ -11,7 +11,7 @@ class Material;
 
 namespace ogive::sph
 {
-/// What one core does on a 3-D block: whole steps, neighbour rebuilds included.
+/// What one core does on a 3-D block: whole steps, neighbour rebuilds included, by processor time.
 struct BenchResult
 {
   double particle_steps_per_s = 0;

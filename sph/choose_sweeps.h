@@ -8,6 +8,10 @@
 #include "sph/energy.h"
 #include "sph/force.h"
 #include "sph/gradient.h"
+#include "sph/half/correction.h"
+#include "sph/half/energy.h"
+#include "sph/half/forces.h"
+#include "sph/half/gradient.h"
 #include "sph/reference/layout.h"
 #include "sph/viscosity/viscosities.h"
 #include "sph/viscosity/viscous_sweep.h"
@@ -68,6 +72,29 @@ void choose_viscosity(const SweepChoice &c, SweepFunctions &f)
     };
 }
 
+template <int dim, class Kernel, bool limited, bool damage>
+void choose_joint_forces(SweepFunctions &f)
+{
+  f.joint_force = &joint_force_sweep<dim, Kernel, limited, damage, false>;
+  f.half_force  = &joint_force_sweep<dim, Kernel, limited, damage, true>;
+}
+
+/// In space alone: elsewhere neighbours are few.
+template <int dim, class Kernel>
+void choose_joint(const SweepChoice &c, SweepFunctions &f)
+{
+  if constexpr (dim == 3)
+  {
+    if (c.limited)
+      c.damage ? choose_joint_forces<dim, Kernel, true, true>(f) : choose_joint_forces<dim, Kernel, true, false>(f);
+    else
+      c.damage ? choose_joint_forces<dim, Kernel, false, true>(f) : choose_joint_forces<dim, Kernel, false, false>(f);
+    f.half_gradient   = &half_gradient_sweep<dim, Kernel>;
+    f.half_correction = &half_correction_sweep<dim, Kernel>;
+    f.half_energy     = &half_energy_sweep<dim, Kernel>;
+  }
+}
+
 template <int dim, class Kernel>
 SweepFunctions sweeps_of(const SweepChoice &c)
 {
@@ -77,6 +104,8 @@ SweepFunctions sweeps_of(const SweepChoice &c)
   with_viscosity<dim>(c.viscosity, [&](auto v) { choose_viscosity<dim, Kernel, decltype(v)>(c, f); });
   if (c.reference)
     choose_reference<dim>(c, f);
+  if (c.joint)
+    choose_joint<dim, Kernel>(c, f);
   return f;
 }
 } // namespace detail

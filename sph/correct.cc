@@ -19,7 +19,7 @@ void Solver<dim>::Implementation::correct()
     for (int a = 0; a < dim; ++a)
       corrected[i * dim + a] = -force_sums[i * L::forces_stride + L::f_sum + a];
   for (const auto &b : bodies)
-    b.sweeps.correction(sweep_of(b, pairs, force_sums.data()));
+    (joint ? b.sweeps.half_correction : b.sweeps.correction)(sweep_of(b, pairs, force_sums.data()));
   sweep_images(&SweepFunctions::correction, &Images::forces);
   for (std::size_t i = 0; keep && i < store.size(); ++i)
     for (int a = 0; a < dim; ++a)
@@ -39,7 +39,9 @@ void Solver<dim>::Implementation::pack_correction()
       for (int a = 0; a < dim; ++a)
       {
         r[L::x + a]  = motion[L::x + a];
-        r[L::da + a] = viscous_sums[i * V::sums_stride + V::weak_sum + a] / store.mass[i];
+        r[L::da + a] = (joint ? force_sums[i * L::forces_stride + L::weak_sum + a] :
+                                viscous_sums[i * V::sums_stride + V::weak_sum + a]) /
+                       store.mass[i];
       }
       r[L::volume] = volume;
       r[L::kappa]  = rho / (gradient_sums[i * L::gradient_stride + L::shepard_sum] + volume * b.self_value);

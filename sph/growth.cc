@@ -30,10 +30,6 @@ void Solver<dim>::Implementation::size_arrays()
   wave_number.resize(n);
   radius.resize(n);
   near_surface.resize(n, 0);
-  gradient_sums.resize(n * L::gradient_stride);
-  force_sums.resize(n * L::forces_stride);
-  power_sums.resize(n * L::powers_stride);
-  viscous_sums.resize(n * V::sums_stride);
   sensor_sums.resize(sensed ? n * SensorLayout<dim>::sums_stride : 0);
   mass_sums.resize(summation ? n * padded(1) : 0);
   mean_sums.resize(correction ? n * L::means_stride : 0);
@@ -420,6 +416,7 @@ void Solver<dim>::set_seam_hourglass(int body, double coefficient)
 {
   const double z = self_->parameters.options.hourglass;
   self_->body_of(body).seam_hourglass = z > 0 ? std::max(1., coefficient / z) : 1.;
+  self_->joint = self_->joint && self_->body_of(body).seam_hourglass == 1; // joint forces know one sound speed
 }
 
 template <int dim>

@@ -274,10 +274,12 @@ void Solver<dim>::Implementation::sweep_images(void (*SweepFunctions::*sweep)(co
 
 template <int dim>
 void Solver<dim>::Implementation::sweep_all(Function f, AlignedVector<double> &sums, std::size_t stride,
-                                            std::size_t n_fields)
+                                            std::size_t n_fields, Function half)
 {
+  if (joint && half != nullptr)
+    std::fill(sums.begin(), sums.end(), 0.);
   for (const auto &b : bodies)
-    (b.sweeps.*f)(sweep_of(b, pairs, sums.data()));
+    (b.sweeps.*(joint && half != nullptr ? half : f))(sweep_of(b, pairs, sums.data()));
   sweep_images(f, &Images::sums);
   add_images(&Images::sums, stride, 0, n_fields, sums);
 }
@@ -285,9 +287,9 @@ void Solver<dim>::Implementation::sweep_all(Function f, AlignedVector<double> &s
 /// Gradients and the like: riders have them too.
 template <int dim>
 void Solver<dim>::Implementation::sweep_riders_too(Function f, AlignedVector<double> &sums, std::size_t stride,
-                                                   std::size_t n_fields)
+                                                   std::size_t n_fields, Function half)
 {
-  sweep_all(f, sums, stride, n_fields);
+  sweep_all(f, sums, stride, n_fields, half);
   for_each_rider_range([&](const Body &b, std::size_t, std::size_t) { (b.sweeps.*f)(rider_sweep_of(b, sums.data())); });
 }
 
@@ -354,9 +356,9 @@ void Solver<dim>::Implementation::book_images(double kick)
   template void   Solver<d>::Implementation::sweep_images(void (*SweepFunctions::*)(const Sweep &),          \
                                                           AlignedVector<double> Images::*);                  \
   template void   Solver<d>::Implementation::sweep_all(Function, AlignedVector<double> &, std::size_t,       \
-                                                       std::size_t);                                         \
+                                                       std::size_t, Function);                               \
   template void   Solver<d>::Implementation::sweep_riders_too(Function, AlignedVector<double> &, std::size_t, \
-                                                              std::size_t);                                  \
+                                                              std::size_t, Function);                        \
   template void   Solver<d>::Implementation::add_all(Function, AlignedVector<double> &, std::size_t,         \
                                                      std::size_t);                                           \
   template void   Solver<d>::Implementation::add_images(const AlignedVector<double> Images::*, std::size_t,  \

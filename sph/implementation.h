@@ -101,6 +101,7 @@ struct Solver<dim>::Implementation
   bool              standard = false, correction = false, summation = false;
   bool              variable = false; ///< support of the correction
   bool              sensed   = false; ///< something asks for the sums of the sensor sweep
+  bool              joint    = false; ///< each pair once, forces in one sweep (half/)
   LatticeShares     shares;
   std::optional<AxisFactor> axis_factor; ///< where the scene turns about an axis
   int               viscous_terms  = 1; ///< numbers a pair that a viscosity keeps
@@ -252,6 +253,7 @@ struct Solver<dim>::Implementation
   void pack_motion();
   void reflect_motion();
   void reflect_forces();
+  void reflect_shares(); ///< sound speed and shock share of joint forces
   Sweep sweep_of(const Body &, Pairs &, double *sums);
   Sweep rider_sweep_of(const Body &, double *sums);
 
@@ -282,8 +284,9 @@ struct Solver<dim>::Implementation
   void   book_images(double kick);
 
   /// A sweep over all bodies, images behind walls included, into or onto `sums`.
-  void sweep_all(Function, AlignedVector<double> &sums, std::size_t stride, std::size_t n_fields);
-  void sweep_riders_too(Function, AlignedVector<double> &sums, std::size_t stride, std::size_t n_fields);
+  /// `half`: what takes its place where each pair is seen once.
+  void sweep_all(Function, AlignedVector<double> &sums, std::size_t stride, std::size_t n_fields, Function half = nullptr);
+  void sweep_riders_too(Function, AlignedVector<double> &sums, std::size_t stride, std::size_t n_fields, Function half = nullptr);
   void add_all(Function, AlignedVector<double> &sums, std::size_t stride, std::size_t n_fields);
   bool is_used(Function f) const { return bodies.front().sweeps.*f != nullptr; }
   /// Records of the images from those of their parents: `vectors` fields first,
@@ -320,6 +323,8 @@ struct Solver<dim>::Implementation
 
   // viscous.cc
   void              forces();
+  bool              joint_possible() const; ///< for the choice of methods
+  void              join_forces();
   ViscousPoint<dim> viscous_point(const Body &, std::size_t i) const;
   void              sense(); ///< sums of the sensor sweep
   void              advance_switch(double dt);
@@ -395,6 +400,16 @@ struct Solver<dim>::Implementation
   {
     const auto id = static_cast<std::size_t>(store.id[i]);
     return id < energy_share.size() ? energy_share[id] : 1.;
+  }
+  /// Of the pair forces on it, weighed for the step bound, 1/s times the mass.
+  double damping(std::size_t i) const
+  {
+    const double *forces = &force_sums[i * L::forces_stride];
+    if (joint)
+      return forces[L::damping];
+    const double *viscous = &viscous_sums[i * V::sums_stride];
+    return shares.viscosity * viscous[V::direct_rate] + shares.weak * viscous[V::weak_rate] +
+           shares.hourglass * forces[L::hourglass_rate];
   }
   double weight(std::size_t i) const { return standard ? store.mass[i] : store.mass[i] / plane_density(i); }
 };

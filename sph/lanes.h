@@ -9,6 +9,10 @@
 #include <cstring>
 #include <utility>
 
+#ifdef __AVX512F__
+#include <immintrin.h>
+#endif
+
 /// Neighbours as SIMD lanes. What a pair needs of its neighbour lies in one
 /// packed record; a register's worth of records is loaded by whole lines and
 /// transposed, which costs a fraction of as many gathers.
@@ -89,6 +93,102 @@ inline void store_sums(const VDouble *sums, double *out)
     detail::sum_halves<simd_width / 2>(r);
     std::memcpy(out + f, &r[0], sizeof(detail::Register));
   }
+}
+
+/// to[j[lane] * stride + f] += sums[f][lane], f in [0, n_fields), lane after lane, so that a
+/// record that several lanes name gets all of them. `sums` holds padded(n_fields)
+/// entries, all set; those from n_fields on are zeros.
+template <int n_fields>
+inline void add_records(const VDouble *sums, double *to, std::size_t stride, const std::uint32_t *j)
+{
+  for (int f = 0; f < n_fields; f += simd_width)
+  {
+    detail::Register r[simd_width];
+    for (int k = 0; k < simd_width; ++k)
+      r[k] = std::bit_cast<detail::Register>(sums[f + k]);
+    if constexpr (simd_width == 8)
+      if (n_fields - f <= 4)
+      {
+        // Half a line: the lower halves of the registers are lanes 0 to 3, the upper 4 to 7.
+        typedef double Half __attribute__((vector_size(4 * sizeof(double))));
+        const auto     turn = [](detail::Register a, detail::Register b, auto s, auto pick) {
+          constexpr int step = decltype(s)::value;
+          return pick ? detail::upper<step>(a, b, detail::Lanes{}) : detail::lower<step>(a, b, detail::Lanes{});
+        };
+        using One = std::integral_constant<int, 1>;
+        using Two = std::integral_constant<int, 2>;
+        const detail::Register a0 = turn(r[0], r[1], One{}, std::false_type{}), a1 = turn(r[0], r[1], One{}, std::true_type{});
+        const detail::Register a2 = turn(r[2], r[3], One{}, std::false_type{}), a3 = turn(r[2], r[3], One{}, std::true_type{});
+        const detail::Register b[4] = {turn(a0, a2, Two{}, std::false_type{}), turn(a1, a3, Two{}, std::false_type{}),
+                                       turn(a0, a2, Two{}, std::true_type{}), turn(a1, a3, Two{}, std::true_type{})};
+        for (int k = 0; k < 8; ++k)
+        {
+          Half        line;
+          const Half *half = reinterpret_cast<const Half *>(&b[k % 4]) + k / 4;
+          double     *at   = to + j[k] * stride + f;
+          std::memcpy(&line, at, sizeof line);
+          line += *half;
+          std::memcpy(at, &line, sizeof line);
+        }
+        continue;
+      }
+    detail::transpose<simd_width / 2>(r);
+    for (int k = 0; k < simd_width; ++k)
+    {
+      double          *at = to + j[k] * stride + f;
+      detail::Register line;
+      std::memcpy(&line, at, sizeof line);
+      line += r[k];
+      std::memcpy(at, &line, sizeof line);
+    }
+  }
+}
+
+/// out[f] += sum over the lanes of sums[f].
+template <int n_fields>
+inline void add_sums(const VDouble *sums, double *out)
+{
+  double total[padded(n_fields)];
+  store_sums<n_fields>(sums, total);
+  for (int f = 0; f < static_cast<int>(padded(n_fields)); ++f)
+    out[f] += total[f];
+}
+
+/// 0, 1, 2, ... by lane.
+inline VDouble lane_numbers()
+{
+  return VDouble([](auto k) { return static_cast<double>(k); });
+}
+
+/// 1/a and 1/sqrt(a) within two units in the last place, for normal positive a;
+/// without the divider where the machine has estimates of 14 bits.
+inline VDouble reciprocal(const VDouble &a)
+{
+#ifdef __AVX512F__
+  if constexpr (simd_width == 8)
+  {
+    const VDouble y = std::bit_cast<VDouble>(_mm512_rcp14_pd(std::bit_cast<__m512d>(a)));
+    const VDouble e = 1. - a * y, p = e + e * e;
+    return y + y * (e + e * p);
+  }
+#endif
+  return 1. / a;
+}
+inline VDouble reciprocal_root(const VDouble &a)
+{
+#ifdef __AVX512F__
+  if constexpr (simd_width == 8)
+  {
+    const VDouble y = std::bit_cast<VDouble>(_mm512_rsqrt14_pd(std::bit_cast<__m512d>(a)));
+    const VDouble e = 1. - a * y * y;
+    return y + y * e * (.5 + e * (.375 + .3125 * e));
+  }
+#endif
+  return 1. / stdx::sqrt(a);
+}
+inline double reciprocal_root(double a)
+{
+  return 1. / std::sqrt(a);
 }
 
 /// a where the condition holds, b elsewhere; for numbers and registers alike.

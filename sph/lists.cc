@@ -109,10 +109,18 @@ void Solver<dim>::Implementation::rebuild_lists()
     list_riders(view, images_of_riders);
   part_pieces(pairs.rows);
   pieces_stale = false;
+  if (joint)
+    halve(pairs.rows, n_own());
 
   // One record more: the zeros that fill up the rows.
   force_records.assign((all + 1) * L::force_stride, 0.);
-  viscous_records.assign((all + 1) * viscous_stride, 0.);
+  viscous_records.assign(joint ? 0 : (all + 1) * viscous_stride, 0.);
+  viscous_sums.resize(joint ? 0 : n * V::sums_stride);
+  // Half sweeps write sums of whatever a row names.
+  const std::size_t summed = joint ? all + 1 : n;
+  gradient_sums.resize(summed * L::gradient_stride);
+  force_sums.resize(summed * L::forces_stride);
+  power_sums.resize(summed * L::powers_stride);
   correction_records.assign((all + 1) * (variable ? L::wide_correction_stride : L::correction_stride), 0.);
   if (sensed)
     sensor_records.assign((all + 1) * SensorLayout<dim>::stride, 0.);
@@ -288,6 +296,13 @@ void Solver<dim>::Implementation::reflect_forces()
 }
 
 template <int dim>
+void Solver<dim>::Implementation::reflect_shares()
+{
+  for (std::size_t g = 0; g < ghosts.size(); ++g)
+    image_record(force_records, L::force_stride, g)[L::sound] = force_records[ghosts.parent[g] * L::force_stride + L::sound];
+}
+
+template <int dim>
 Sweep Solver<dim>::Implementation::sweep_of(const Body &b, Pairs &p, double *sums)
 {
   const auto &o = parameters.options;
@@ -296,6 +311,7 @@ Sweep Solver<dim>::Implementation::sweep_of(const Body &b, Pairs &p, double *sum
   s.end                = b.last;
   s.row                = p.rows.row.data();
   s.index              = p.rows.index.data();
+  s.half               = p.rows.half.data();
   s.force_records      = force_records.data();
   s.correction_records = correction_records.data();
   s.energy_records     = energy_records.data();
@@ -321,6 +337,9 @@ Sweep Solver<dim>::Implementation::sweep_of(const Body &b, Pairs &p, double *sum
   s.beta               = o.beta;
   s.hourglass          = o.hourglass;
   s.support            = o.correction_support;
+  s.direct_share       = shares.viscosity;
+  s.weak_share         = shares.weak;
+  s.hourglass_share    = shares.hourglass;
   return s;
 }
 
@@ -345,6 +364,7 @@ Sweep Solver<dim>::Implementation::rider_sweep_of(const Body &b, double *sums)
   template void  Solver<d>::Implementation::list_images(const std::array<std::span<const double>, d> &);     \
   template void  Solver<d>::Implementation::pack_motion();                                                   \
   template void  Solver<d>::Implementation::reflect_motion();                                                \
+  template void  Solver<d>::Implementation::reflect_shares();                                                \
   template void  Solver<d>::Implementation::reflect_forces();                                                \
   template Sweep Solver<d>::Implementation::sweep_of(const Body &, Pairs &, double *);
 OGIVE_INSTANTIATE(1)

@@ -233,6 +233,7 @@ void Solver<dim>::Implementation::kick(const TimeStep &t)
       for (int a = 0; a < dim; ++a)
         record[L::v + a] = .5 * (record[L::v + a] + store.v[a][i]);
       record[L::weight] = weight(i);
+      record[L::last_p] = force_records[i * L::force_stride + L::p + dim * dim - 1];
     }
 }
 

@@ -163,6 +163,25 @@ void append_rows(const std::array<std::span<const double>, dim> &x, std::size_t 
   append_rows_of<dim>(x, first, last, points, radius, dummy, rows);
 }
 
+void halve(NeighbourRows &rows, std::size_t n)
+{
+  std::vector<std::uint32_t> before;
+  rows.half.resize(n);
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    before.clear();
+    std::uint32_t *to = &rows.index[rows.row[i]];
+    for (std::size_t k = rows.row[i]; k < rows.row[i + 1]; ++k)
+      if (rows.index[k] > i)
+        *to++ = rows.index[k];
+      else
+        before.push_back(rows.index[k]);
+    // The filling counts as beyond, too: nothing comes of it.
+    rows.half[i] = static_cast<std::size_t>(to - rows.index.data());
+    std::copy(before.begin(), before.end(), to);
+  }
+}
+
 template <int dim>
 std::vector<std::uint32_t> morton_order(const std::array<std::span<const double>, dim> &x, std::size_t first,
                                         std::size_t last, double cell, std::span<const std::int64_t> id)

@@ -18,14 +18,19 @@ struct NeighbourRows
   std::vector<std::size_t>     row{0}; ///< row i is index[row[i] .. row[i+1])
   AlignedVector<std::uint32_t> index;
   std::size_t                  pairs = 0; ///< without the filling
+  std::vector<std::size_t>     half;      ///< of halved rows: in row i, entries beyond i end at half[i]
 
   void clear()
   {
     row.assign(1, 0);
     index.clear();
     pairs = 0;
+    half.clear();
   }
 };
+
+/// Turns the first `n` rows so that entries beyond their own number come first.
+void halve(NeighbourRows &, std::size_t n);
 
 /// Appends one row for each particle of [first, last): all others of
 /// [first, last) and all of [first_ghost, last_ghost) closer than `radius`

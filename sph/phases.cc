@@ -68,7 +68,8 @@ StepStatus Solver<dim>::Implementation::advance_material(double dt)
   if (reference.on)
     sweep_all(&SweepFunctions::reference_gradient, gradient_sums, L::gradient_stride, 0);
   else
-    sweep_riders_too(&SweepFunctions::gradient, gradient_sums, L::gradient_stride, L::n_gradient);
+    sweep_riders_too(&SweepFunctions::gradient, gradient_sums, L::gradient_stride, L::n_gradient,
+                     &SweepFunctions::half_gradient);
   if (summation)
     sum_masses();
   if (dt > 0)
@@ -186,8 +187,9 @@ void Solver<dim>::Implementation::energy(double kick)
       to[L::v + a] = ghosts.turn[g] * ghosts.sign[g][a] * from[L::v + a] + shift_rate(g, a);
     }
     to[L::weight] = share(g) * from[L::weight];
+    to[L::last_p] = ghosts.turn[g] * from[L::last_p];
   }
-  sweep_all(&SweepFunctions::energy, power_sums, L::powers_stride, 3);
+  sweep_all(&SweepFunctions::energy, power_sums, L::powers_stride, 3, &SweepFunctions::half_energy);
   add_power_at_seam(true, kick);
   for (const auto power : {&SweepFunctions::artificial_stress_power, &SweepFunctions::viscous_power,
                            &SweepFunctions::correction_power, &SweepFunctions::weak_power})

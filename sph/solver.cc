@@ -74,6 +74,7 @@ Solver<dim>::Implementation::Implementation(const Parameters &p, std::vector<Bod
   require(p.boundaries.size() == p.boundary_bodies.size(), "one body per boundary");
   require(p.mirrors.empty() || (p.walls.empty() && !reference.on), "mirrors go without walls and reference configuration");
   shares        = lattice_shares<dim>(o);
+  joint         = joint_possible();
   if (p.axisymmetric)
   {
     require(dim == 2, "axial symmetry has two coordinates");
@@ -114,7 +115,7 @@ Solver<dim>::Implementation::Implementation(const Parameters &p, std::vector<Bod
     });
     b.sweeps = choose_sweeps<dim>({standard, f.material->parameters().damage.law != "none", o.kernel, o.viscosity,
                                    o.limiter != "none", o.correction, variable,
-                                   !correction || o.shock_split != "none", reference.on});
+                                   !correction || o.shock_split != "none", reference.on, joint});
     if (!(o.artificial_stress > 0))
       b.sweeps.artificial_stress = b.sweeps.artificial_stress_power = nullptr;
     bodies.push_back(b);
@@ -223,20 +224,14 @@ void Solver<dim>::set_pieces(std::span<const std::int64_t> piece_of_id)
 template <int dim>
 StepLimit Solver<dim>::stable_dt() const
 {
-  using L         = Layout<dim>;
-  using V         = ViscousLayout<dim>;
   const auto &s   = *self_;
   StepLimit   limit;
   std::size_t who = s.n_own();
   for (const auto &body : s.bodies)
     for (std::size_t i = body.first; i < body.last; ++i)
     {
-      const double *forces = &s.force_sums[i * L::forces_stride];
       const double  w = s.store.points.sound_speed[i] * s.shares.frequency * s.wave_number[i];
-      const double *viscous = &s.viscous_sums[i * V::sums_stride];
-      const double  damping = (s.shares.viscosity * viscous[V::direct_rate] + s.shares.weak * viscous[V::weak_rate] +
-                              s.shares.hourglass * forces[L::hourglass_rate]) /
-                             s.store.mass[i];
+      const double  damping = s.damping(i) / s.store.mass[i];
       double dt = s.parameters.options.step_factor *
                   largest_step(s.parameters.axisymmetric ? s.ring_frequency(body, i, w) : w, damping);
       if (s.parameters.axisymmetric)
@@ -422,7 +417,9 @@ void Solver<dim>::weigh(std::span<const std::int64_t> ids, std::span<const doubl
     require(shares[k] > 0 && shares[k] <= 1, "a share lies above 0 and not above 1");
     s.energy_share[static_cast<std::size_t>(ids[k])] = shares[k];
   }
-  s.follow(false);
+  const bool joint = s.joint;
+  s.joint          = false; // joint forces know no shares
+  s.follow(joint);
 }
 
 template <int dim>

@@ -17,16 +17,18 @@ struct Layout
 
   /// Motion: all that the gradient needs.
   static constexpr int x = 0, v = dim, weight = 2 * dim, density = 2 * dim + 1, n_motion = 2 * dim + 2;
-  /// Force: motion, then sound speed, P, the symmetric gradient, damage.
-  static constexpr int         sound = n_motion, p = sound + 1, rate = p + dim * dim, damage = rate + n_sym;
+  /// Force: motion, then P, sound speed (with the shock share, see half/half.h, where
+  /// sweeps are joint), the symmetric gradient, damage.
+  static constexpr int         p = n_motion, sound = p + dim * dim, rate = sound + 1, damage = rate + n_sym;
   static constexpr int         n_force      = damage + 1;
   static constexpr std::size_t force_stride = padded(n_force);
   /// Correction: x, the weak viscous acceleration, volume, kappa = rho/shepard;
   /// the wide one also h_c.
   static constexpr int         da = dim, volume = 2 * dim, kappa = 2 * dim + 1, reach = 2 * dim + 2;
   static constexpr std::size_t correction_stride = padded(2 * dim + 2), wide_correction_stride = padded(2 * dim + 3);
-  /// Energy: x, mean velocity of the kick, weight.
-  static constexpr std::size_t energy_stride = padded(2 * dim + 1);
+  /// Energy: x, mean velocity of the kick, weight; the last of P where the sweep is half.
+  static constexpr int         last_p        = 2 * dim + 1;
+  static constexpr std::size_t energy_stride = padded(2 * dim + 2);
 
   /// Sums of the gradient sweep: moment matrix M, G = sum w_j (v_j - v_i) (x)
   /// gradW, the Shepard sum without self, sum V_j |gradW|, sum V_j gradW, and
@@ -36,9 +38,11 @@ struct Layout
                        n_gradient = continuity_sum + 1;
   static constexpr std::size_t gradient_stride = padded(n_gradient);
   /// Sums of the force sweep: force, damping rate of the hourglass control (1/s,
-  /// times the mass).
+  /// times the mass). Joint sweeps (half/forces.h) have all damping rates there,
+  /// weighed for the step bound, then the viscous force for the correction.
   static constexpr int         f_sum = 0, hourglass_rate = dim, n_forces = dim + 1;
-  static constexpr std::size_t forces_stride = padded(n_forces);
+  static constexpr int         damping = dim, weak_sum = dim + 1, n_joint = 2 * dim + 1;
+  static constexpr std::size_t forces_stride = padded(n_joint);
   /// Sums of the energy sweep: stress power over w_i, twice the viscous and twice the hourglass heating, W.
   static constexpr int         stress_power = 0, viscous_power = 1, hourglass_power = 2;
   static constexpr std::size_t powers_stride = padded(3);
@@ -103,6 +107,7 @@ struct Sweep
   std::size_t          begin = 0, end = 0; ///< owned particles
   const std::size_t   *row   = nullptr;
   const std::uint32_t *index = nullptr;
+  const std::size_t   *half  = nullptr; ///< see NeighbourRows, where sweeps take each pair once
   const double        *force_records      = nullptr; ///< motion and force
   const double        *viscous_records    = nullptr;
   const double        *sensor_records     = nullptr;
@@ -127,6 +132,8 @@ struct Sweep
   double h = 0, spacing = 0, alpha = 0, beta = 0, hourglass = 0;
   double support   = 1; ///< h_c/h of the correction
   double keep_weak = 1; ///< 1: weak viscosity acts as it is, 0: it is corrected
+  /// LatticeShares of the joint damping rate.
+  double direct_share = 0, weak_share = 0, hourglass_share = 0;
   bool   compressed_only = false; ///< sensor sums of particles that expand are asked for by nobody
 };
 
@@ -148,6 +155,9 @@ struct SweepFunctions
   Function correction_power        = nullptr;
   Function viscous_power           = nullptr; ///< of pair_viscosity, where energy leaves it out
   Function weak_power              = nullptr; ///< of pair_weak
+  Function joint_force = nullptr; ///< force and viscous in one (half/forces.h), directed
+  /// Each pair once (half/).
+  Function half_gradient = nullptr, half_force = nullptr, half_correction = nullptr, half_energy = nullptr;
 };
 
 /// Names as in SphOptions.
@@ -162,6 +172,7 @@ struct SweepChoice
   bool        variable   = false;  ///< support of the correction
   bool        direct     = true;   ///< some of the viscosity acts as it is
   bool        reference  = false;  ///< configuration
+  bool        joint      = false;  ///< each pair once, forces joint (see joint_possible())
 };
 
 /// Instantiated for dim 1, 2, 3; InputError for an unknown name.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sph/correction/sensor.h"
 #include "sph/corrector.h"
+#include "sph/half/half.h"
 #include "sph/implementation.h"
 #include "sph/viscosity/viscosities.h"
 
@@ -13,6 +14,8 @@ void Solver<dim>::Implementation::forces()
 {
   if (sensed)
     sense();
+  if (joint)
+    return join_forces();
   pack_viscosity();
   for (const auto &b : bodies)
     b.sweeps.force(sweep_of(b, pairs, force_sums.data()));
@@ -25,6 +28,40 @@ void Solver<dim>::Implementation::forces()
   add_images(&Images::forces, L::forces_stride, L::hourglass_rate, L::n_forces, force_sums);
   if (correction)
     correct();
+  add_images(&Images::forces, L::forces_stride, L::f_sum, L::f_sum + dim, force_sums);
+}
+
+/// Sweeps of half/ are there for what is usual, in space.
+template <int dim>
+bool Solver<dim>::Implementation::joint_possible() const
+{
+  const auto &o = parameters.options;
+  return dim == 3 && !standard && !reference.on && o.viscosity == "monaghan" && o.viscosity_switch == "none" &&
+         o.correction == "pairwise" && !variable;
+}
+
+template <int dim>
+void Solver<dim>::Implementation::join_forces()
+{
+  const auto pack = [&](const Body &b, std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i)
+      force_records[i * L::force_stride + L::sound] =
+        SoundAndShare::pack(store.points.sound_speed[i], shock_share(b, i, viscous_point(b, i)));
+  };
+  for (const auto &b : bodies)
+    pack(b, b.first, b.last);
+  for_each_rider_range(pack);
+  reflect_shares();
+  std::fill(force_sums.begin(), force_sums.end(), 0.);
+  for (const auto &b : bodies)
+    b.sweeps.half_force(sweep_of(b, pairs, force_sums.data()));
+  for_each_rider_range(
+    [&](const Body &b, std::size_t, std::size_t) { b.sweeps.joint_force(rider_sweep_of(b, force_sums.data())); });
+  sweep_images(&SweepFunctions::joint_force, &Images::forces);
+  if (parameters.options.artificial_stress > 0)
+    stress_artificially();
+  add_images(&Images::forces, L::forces_stride, L::damping, L::n_joint, force_sums);
+  correct();
   add_images(&Images::forces, L::forces_stride, L::f_sum, L::f_sum + dim, force_sums);
 }
 
@@ -238,6 +275,7 @@ void Solver<dim>::Implementation::stress_artificially()
 }
 
 #define OGIVE_INSTANTIATE(d)                                                                                 \
+  template bool   Solver<d>::Implementation::joint_possible() const;                                         \
   template void   Solver<d>::Implementation::forces();                                                       \
   template void   Solver<d>::Implementation::advance_switch(double);
 OGIVE_INSTANTIATE(1)

@@ -52,8 +52,7 @@ struct KernelAt
   template <class T>
   T inverse_distance(const T &r2) const
   {
-    using std::sqrt;
-    return 1. / sqrt(r2 + tiny);
+    return reciprocal_root(T(r2 + tiny));
   }
   template <class T>
   T value(const T &r) const

@@ -15,8 +15,8 @@ namespace ogive::sph
 inline VDouble limited_jump(const VDouble &vx, const VDouble &gi, const VDouble &gj)
 {
   const VDouble product = gi * gj, sum = gi + gj;
-  const VDouble phi     = select(product > 0., VDouble(4. * product / (sum * sum + 1e-300)), VDouble(0.));
+  const VDouble smooth  = select(product > 0., VDouble(2. * product * reciprocal(sum)), VDouble(0.)); // phi sum/2
   const VDouble approach = stdx::min(vx, VDouble(0.));
-  return stdx::min(VDouble(0.), stdx::max(approach, VDouble(vx - .5 * phi * sum)));
+  return stdx::min(VDouble(0.), stdx::max(approach, VDouble(vx - smooth)));
 }
 } // namespace ogive::sph

@@ -25,8 +25,7 @@ struct KernelAt<KeptSlope, dim>
   template <class T>
   T inverse_distance(const T &r2) const
   {
-    using std::sqrt;
-    return 1. / sqrt(r2 + tiny);
+    return reciprocal_root(T(r2 + tiny));
   }
 };
 
