@@ -176,7 +176,7 @@ void Solver<dim>::Implementation::energy(double kick)
   const std::size_t n = store.size();
   for (std::size_t i = 0; reference.on && i < n; ++i)
     energy_records[i * L::energy_stride + L::weight] = reference.volume[i];
-  exchange(energy_records, L::energy_stride, 0, L::last_p + 1);
+  exchange(energy_records, L::energy_stride, 0, L::energy_stride);
   for (std::size_t g = 0; g < ghosts.size(); ++g)
   {
     const double *from = &energy_records[ghosts.parent[g] * L::energy_stride];
