@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "core/parallel/ranks.h"
+
 #include <string>
 #include <vector>
 
@@ -25,13 +27,14 @@ struct RunArguments : SceneArguments
 {
   std::string directory; ///< empty: results/<scene>-<n>
   bool        force = false;
-  int         ranks = 1;
+  int         ranks = 0; ///< 0: not asked for
 };
 
 struct RestartArguments
 {
   std::string directory;
-  std::string from; ///< a checkpoint file; empty: the last one of the directory
+  std::string from;      ///< a checkpoint file; empty: the last one of the directory
+  int         ranks = 0; ///< 0: not asked for
 };
 
 struct ChartArguments
@@ -53,8 +56,9 @@ struct BenchArguments
 };
 
 void check(const CheckArguments &);
-void run(const RunArguments &);
-void restart(const RestartArguments &);
+/// On several ranks called by all; the first one prints.
+void run(const RunArguments &, const Ranks & = {});
+void restart(const RestartArguments &, const Ranks & = {});
 void chart(const ChartArguments &);
 void materials(const std::string &name);
 void reference();

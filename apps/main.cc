@@ -1,25 +1,26 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "apps/commands.h"
+#include "apps/processes.h"
 #include "commit.h"
-#include "core/base/error.h"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <iostream>
+#include <sstream>
 
 namespace
 {
-enum ExitStatus
-{
-  done = 0,
-  run_failed,
-  bad_input
-};
-
 void add_scene(CLI::App &command, ogive::apps::SceneArguments &a)
 {
   command.add_option("SCENE", a.scene, "scene file (.prm or .json)")->required();
   command.add_option("--set", a.overrides, "\"Section/entry=value\", may be given several times");
+}
+
+void add_ranks(CLI::App &command, int &ranks)
+{
+  command.add_option("-n,--ranks", ranks, "processes, started by mpirun (1, or as many as mpirun has started)")
+    ->check(CLI::Range(1, 1 << 20));
 }
 } // namespace
 
@@ -47,13 +48,14 @@ int main(int argc, char *argv[])
   CLI::App *run = app.add_subcommand("run", "run a scene");
   add_scene(*run, run_arguments);
   run->add_option("-o,--output", run_arguments.directory, "directory of the results (results/<scene>-<n>)");
-  run->add_option("-n,--ranks", run_arguments.ranks, "processes (this version runs on one)");
+  add_ranks(*run, run_arguments.ranks);
   run->add_flag("--force", run_arguments.force, "replace earlier results in the directory");
 
   apps::RestartArguments restart_arguments;
   CLI::App *restart = app.add_subcommand("restart", "continue a run from a checkpoint");
   restart->add_option("DIR", restart_arguments.directory, "directory of the results")->required();
   restart->add_option("--from", restart_arguments.from, "checkpoint file (the last one of DIR)");
+  add_ranks(*restart, restart_arguments.ranks);
 
   apps::ChartArguments chart_arguments;
   CLI::App *chart = app.add_subcommand("chart", "run the variants of a study and draw accuracy against cost");
@@ -78,23 +80,32 @@ int main(int argc, char *argv[])
     ->capture_default_str();
   bench->add_flag("--keep", bench_arguments.keep, "add this result to the kept ones");
 
+  const Ranks ranks = Ranks::world();
   try
   {
     app.parse(argc, argv);
   }
   catch (const CLI::ParseError &e)
   {
-    return app.exit(e) == 0 ? done : bad_input;
+    std::ostringstream unheard; // of all ranks but one
+    const int          status = ranks.first() ? app.exit(e) : app.exit(e, unheard, unheard);
+    return status == 0 ? apps::done : apps::bad_input;
   }
 
-  try
-  {
+  const int wanted = std::max(run_arguments.ranks, restart_arguments.ranks);
+  return apps::finish(ranks, [&]() -> int {
+    if (wanted > 1 && !Ranks::started_together())
+      return apps::start_ranks(wanted, argv);
+    if (*run || *restart)
+      apps::expect_ranks(ranks, wanted);
+    else
+      apps::expect_alone(ranks, app.get_subcommands().front()->get_name().c_str());
     if (*check)
       apps::check(check_arguments);
     else if (*run)
-      apps::run(run_arguments);
+      apps::run(run_arguments, ranks);
     else if (*restart)
-      apps::restart(restart_arguments);
+      apps::restart(restart_arguments, ranks);
     else if (*chart)
       apps::chart(chart_arguments);
     else if (*materials)
@@ -103,16 +114,6 @@ int main(int argc, char *argv[])
       apps::reference();
     else if (*bench)
       apps::bench(bench_arguments);
-  }
-  catch (const InputError &e)
-  {
-    std::cerr << "ogive: " << e.what() << '\n';
-    return bad_input;
-  }
-  catch (const std::exception &e)
-  {
-    std::cerr << "ogive: " << e.what() << '\n';
-    return run_failed;
-  }
-  return done;
+    return apps::done;
+  });
 }

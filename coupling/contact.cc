@@ -21,8 +21,9 @@ Point<dim> seen_velocity(const Faces<dim> &faces, Party party, const Carrier<dim
 
 template <int dim>
 ContactSet<dim>::ContactSet(std::vector<ContactSpec> specs, std::vector<int> symmetry_axes,
-                            double reference_dt, double step_share)
-  : symmetry_axes_(std::move(symmetry_axes))
+                            double reference_dt, double step_share, const Ranks &ranks)
+  : ranks_(ranks)
+  , symmetry_axes_(std::move(symmetry_axes))
   , reference_dt_(reference_dt)
   , step_share_(step_share)
 {
@@ -42,6 +43,8 @@ ContactSet<dim>::ContactSet(std::vector<ContactSpec> specs, std::vector<int> sym
       fragments_.emplace_back(spec.first, spec.joined_within, spec.joined_at_start);
   }
   told_.assign(fragments_.size(), 0);
+  for (auto &pair : pairs_)
+    pair.share_points(ranks_);
 }
 
 template <int dim>
@@ -147,23 +150,21 @@ void ContactSet<dim>::gather(Faces<dim> &faces)
 {
   const bool death = std::exchange(state_.topology, faces[mesh_party].topology) != faces[mesh_party].topology;
   state_.died |= death;
-  List       list;
   std::vector<int> broken; // bodies with new fragments
   for (auto &fragments : fragments_)
     if (fragments.update(faces))
       broken.push_back(fragments.body());
-  auto       old = state_.list.records.begin();
-  const auto end = state_.list.records.end();
+  List        list = detect(faces);
+  auto        old  = state_.list.records.begin();
+  const auto  end  = state_.list.records.end();
+  std::size_t k    = 0;
   for (auto &pair : pairs_)
   {
     const auto stop =
       std::find_if(old, end, [&](const Record &r) { return r.key.pair != pair.index(); });
-    pair.update(faces, symmetry_axes_, fragments_of(pair));
     const bool bridge = state_.died || (pair.spec().meets_itself() &&
                                   std::find(broken.begin(), broken.end(), pair.point_body()) != broken.end());
-    const std::size_t first = list.records.size();
-    pair.detect(faces, {old, stop}, state_.last_drift, list, state_.lost);
-    for (std::size_t k = first; k < list.records.size(); ++k)
+    for (; k < list.records.size() && list.records[k].key.pair == pair.index(); ++k)
     {
       Record &record = list.records[k];
       for (; old != stop && old->key < record.key; ++old)

@@ -72,8 +72,9 @@ class ContactSet
 public:
   /// `reference_dt`: the step that sets the stiffness, s. `step_share`: share of
   /// the leapfrog's limit that the solvers use; contact may have the rest.
+  /// With `ranks` the same is called on all of them, with the same faces.
   ContactSet(std::vector<ContactSpec> specs, std::vector<int> symmetry_axes, double reference_dt,
-             double step_share);
+             double step_share, const Ranks &ranks = {});
 
   /// Measures sizes and settles overlaps at t = 0, once. InputError if bodies
   /// overlap by more than half a spacing, or at all where they must not.
@@ -84,6 +85,8 @@ public:
   std::vector<Move> healing(const Faces<dim> &, std::vector<InitialOverlap> &healed);
   /// Told by whoever has made the moves.
   void report_healed(std::vector<InitialOverlap> healed);
+  /// Which particles it asks for (ParticlePort::attend). After start().
+  std::vector<Attention> attention() const;
   /// Finds the contacts at x(t_n) and adds their forces to Faces::force.
   void gather(Faces<dim> &);
   /// Books the step just made, from the velocities before and after it.
@@ -146,6 +149,11 @@ private:
   static Point<dim> force_on(const Carrier<dim> &, const Record &);
   /// What the springs of a contact that has opened still hold becomes heat.
   void end_contact(const Record &, bool death);
+  /// Pair by pair, each by ascending key: found by all ranks together.
+  List detect(const Faces<dim> &);
+  /// Of what each rank has found, pair by pair, all of it.
+  List joined(const Faces<dim> &, const List &own, std::int64_t lost);
+  void add_overlaps(const Faces<dim> &, const ContactPair<dim> &, List &);
   void add_forces(Faces<dim> &) const;
   void limit_step(const Faces<dim> &);
   /// What of the records is deeper than rounding. InputError if it may not be.
@@ -155,6 +163,7 @@ private:
   void start_fragments(const Faces<dim> &);
   void save_fragments(ArchiveWriter &, const std::string &prefix) const;
 
+  Ranks                         ranks_;
   std::vector<ContactPair<dim>> pairs_;
   std::vector<int>              symmetry_axes_;
   double                        reference_dt_, step_share_;

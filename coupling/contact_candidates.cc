@@ -105,7 +105,8 @@ void ContactPair<dim>::search(const Faces<dim> &faces, std::vector<Point<dim>> p
   // Both sides may have moved by the skin before the next search.
   const double          skin = skin_share * size_;
   std::vector<Box<dim>> queries(points_.size()), targets;
-  for (std::size_t q = 0; q < points_.size(); ++q)
+  const auto            own = own_points(faces);
+  for (std::size_t q = own.first; q < own.second; ++q)
   {
     const double reach = other_party_ == mesh_party     ? faces.radius(point_party_, points_[q]) + max_depth_ :
                          meeting_ == Meeting::balls ? ball_share * size_ :
@@ -126,6 +127,7 @@ void ContactPair<dim>::search(const Faces<dim> &faces, std::vector<Point<dim>> p
   list_.build(queries, targets);
   if (spec_.meets_itself())
     drop_joined(faces, pieces);
+  count_work(faces, own);
   listed_.clear();
   if (other_party_ == mesh_party)
   {

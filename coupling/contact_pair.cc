@@ -82,7 +82,7 @@ void ContactPair<dim>::size_up(const Faces<dim> &faces)
 {
   const auto size_of = [&](Party party, int body) {
     const double coming = body == spec_.first ? spec_.first_radius : spec_.second_radius;
-    return 2 * std::max(largest_radius(faces, party, body_points(faces[party], body)), coming);
+    return 2 * std::max({largest_radius(faces, party, body_points(faces[party], body)), coming, faces.widest_of(body)});
   };
   const double point_size = point_party_ == particle_party ? size_of(point_party_, point_body_) : 0;
   if (other_party_ == particle_party)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "core/parallel/ranks.h"
 #include "coupling/contact_geometry.h"
 #include "coupling/particle_field.h"
 #include "coupling/fragments.h"
@@ -144,6 +145,13 @@ public:
   /// of a body of particles that meets itself.
   void update(const Faces<dim> &, const std::vector<int> &symmetry_axes, const Fragments<dim> *pieces = nullptr);
 
+  /// Lets the ranks share the points: each seeks and detects for its own, a run of
+  /// ids cut so that all have as many candidates to look at, counted in the search
+  /// before. All ranks see the same faces.
+  void share_points(const Ranks &ranks) { ranks_ = ranks; }
+  /// Which particles this pair asks for, of a side that is particles.
+  std::vector<Attention> attention() const;
+
   /// Drops the candidates: after a solver went back or was loaded, its numbers
   /// of topology may name another order.
   void forget() { built_ = false; }
@@ -201,6 +209,12 @@ private:
   void search(const Faces<dim> &, std::vector<Point<dim>> positions, const Fragments<dim> *);
   void list_own_facets(const Faces<dim> &, const std::vector<int> &symmetry_axes);
   std::vector<Point<dim>> all_positions(const Faces<dim> &) const;
+  /// How far from a point of `points_` something may touch it, m.
+  double search_reach() const;
+  /// First and past the last of the points that are this rank's.
+  std::pair<std::size_t, std::size_t> own_points(const Faces<dim> &) const;
+  void                                count_work(const Faces<dim> &, std::pair<std::size_t, std::size_t> own);
+
   ContactSpec   spec_;
   Meeting       meeting_;
   std::int64_t  index_;
@@ -242,6 +256,8 @@ private:
   double                     travel_      = 0;
   std::uint64_t              topology_[2] = {0, 0};
   std::int64_t               pieces_      = -1; ///< their version
+  Ranks                      ranks_;
+  std::vector<std::pair<std::int64_t, double>> work_; ///< id of a point, its candidates in the last search
   bool                       built_       = false;
 };
 } // namespace ogive::coupling

@@ -62,7 +62,7 @@ void ContactSet<dim>::start(const Faces<dim> &faces)
     pair.measure(faces, symmetry_axes_);
     pair.update(faces, symmetry_axes_, fragments_of(pair));
     const std::size_t first = state_.list.records.size();
-    pair.detect_overlaps(faces, state_.list);
+    add_overlaps(faces, pair, state_.list);
     const std::span<Record> found(state_.list.records.data() + first, state_.list.records.size() - first);
     for (auto &record : found)
     {
@@ -133,7 +133,7 @@ std::vector<Move> ContactSet<dim>::healing(const Faces<dim> &faces, std::vector<
         continue;
       List list;
       pair.update(trial.faces, symmetry_axes_, fragments_of(pair));
-      pair.detect_overlaps(trial.faces, list);
+      add_overlaps(trial.faces, pair, list);
       InitialOverlap overlap = overlap_of(trial.faces, pair, list.records);
       if (overlap.count == 0)
         continue;

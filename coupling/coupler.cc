@@ -2,6 +2,7 @@
 #include "coupling/coupler.h"
 
 #include "core/base/error.h"
+#include "coupling/common_particles.h"
 
 #include <algorithm>
 
@@ -85,11 +86,14 @@ std::vector<int> cut_axes(const input::Scene &scene)
 
 template <int dim>
 Coupler<dim>::Coupler(const input::Scene &scene, std::unique_ptr<MeshPort<dim>> mesh,
-                      std::unique_ptr<ParticlePort<dim>> particles)
-  : mesh_(std::move(mesh))
+                      std::unique_ptr<ParticlePort<dim>> particles, const Ranks &ranks)
+  : ranks_(ranks)
+  , mesh_(std::move(mesh))
   , particles_(std::move(particles))
   , axisymmetric_(scene.dimension == input::Dimension::axisymmetric)
 {
+  if (particles_ && !ranks_.alone())
+    particles_ = std::make_unique<CommonParticles<dim>>(ranks_, std::move(particles_));
   build_interfaces(scene);
   build_contacts(scene);
 }
@@ -181,10 +185,12 @@ void Coupler<dim>::build_contacts(const input::Scene &scene)
     share = std::max(share, scene.sph.step_factor);
   }
   contacts_ = std::make_unique<ContactSet<dim>>(std::move(specs), cut_axes(scene), limit.dt,
-                                                std::min(share, .95));
+                                                std::min(share, .95), ranks_);
   const auto faces = Faces<dim>::look(mesh_.get(), particles_.get());
   moves_           = contacts_->healing(faces, healed_);
   contacts_->start(faces);
+  if (particles_)
+    particles_->attend(contacts_->attention());
 }
 
 template <int dim>
@@ -203,6 +209,8 @@ void Coupler<dim>::gather(double own_share)
   contacts_->gather(faces);
   if (const auto pieces = contacts_->new_pieces(); !pieces.empty())
     particles_->set_pieces(pieces);
+  if (particles_)
+    particles_->give_forces();
   if (interfaces_.empty())
     return;
   std::array<std::span<double>, dim> force;
@@ -236,7 +244,7 @@ void Coupler<dim>::drive()
 {
   if (interfaces_.empty())
     return;
-  const auto faces = Faces<dim>::look(mesh_.get(), particles_.get());
+  const auto faces = Faces<dim>::look(mesh_.get(), nullptr);
   for (const auto &interface : interfaces_)
     interface->drive(faces, slaves_);
   std::array<std::span<const double>, dim> velocity;
@@ -248,7 +256,7 @@ void Coupler<dim>::drive()
 template <int dim>
 void Coupler<dim>::close(const TimeStep &step)
 {
-  const auto faces = Faces<dim>::look(mesh_.get(), particles_.get());
+  const auto faces = Faces<dim>::look_again(mesh_.get(), particles_.get());
   contacts_->close(faces, step);
   for (auto &interface : interfaces_)
     interface->close(faces, slaves_, step);
@@ -296,6 +304,8 @@ void Coupler<dim>::snapshot()
 template <int dim>
 void Coupler<dim>::restore()
 {
+  if (particles_)
+    particles_->forget();
   contacts_->restore();
   for (auto &interface : interfaces_)
     interface->restore();
@@ -312,6 +322,8 @@ void Coupler<dim>::save(ArchiveWriter &archive, const std::string &prefix) const
 template <int dim>
 void Coupler<dim>::load(const ArchiveReader &archive, const std::string &prefix)
 {
+  if (particles_)
+    particles_->forget();
   contacts_->load(archive, prefix);
   for (std::size_t i = 0; i < interfaces_.size(); ++i)
     interfaces_[i]->load(archive, prefix + "/" + interface_names_[i]);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/input/scene.h"
+#include "core/parallel/ranks.h"
 #include "coupling/contact.h"
 #include "coupling/interface.h"
 #include "coupling/surfaces.h"
@@ -49,10 +50,13 @@ class Coupler
 {
 public:
   /// Either solver may be null. InputError names what is wrong in the scene's
-  /// contacts and interfaces.
-  Coupler(const input::Scene &, fem::Solver<dim> *, sph::Solver<dim> *);
-  /// The same between any two parties.
-  Coupler(const input::Scene &, std::unique_ptr<MeshPort<dim>>, std::unique_ptr<ParticlePort<dim>>);
+  /// contacts and interfaces. `ranks`: those that share both solvers; they call all
+  /// functions alike.
+  Coupler(const input::Scene &, fem::Solver<dim> *, sph::Solver<dim> *, const Ranks &ranks = {});
+  /// The same between any two parties. Where there are several ranks, the port of
+  /// the particles shows each of them its own.
+  Coupler(const input::Scene &, std::unique_ptr<MeshPort<dim>>, std::unique_ptr<ParticlePort<dim>>,
+          const Ranks &ranks = {});
   ~Coupler();
 
   /// Between two steps, after elements have turned into particles.
@@ -90,6 +94,7 @@ private:
   void build_interfaces(const input::Scene &);
   void build_contacts(const input::Scene &);
 
+  Ranks                                        ranks_;
   std::unique_ptr<MeshPort<dim>>               mesh_;
   std::unique_ptr<ParticlePort<dim>>           particles_;
   bool                                         axisymmetric_ = false;

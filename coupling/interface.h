@@ -60,7 +60,7 @@ public:
   /// Adds its forces at t_n to Faces::force; Slaves::force is what acts on the
   /// slaves at t_n, contact included.
   virtual void gather(Faces<dim> &, const Slaves<dim> &) = 0;
-  /// Writes the velocities at t_{n+1/2} of its slaves.
+  /// Writes the velocities at t_{n+1/2} of its slaves. The faces show the mesh alone.
   virtual void drive(const Faces<dim> &, Slaves<dim> &) const = 0;
   /// Books the work of the step.
   virtual void close(const Faces<dim> &, const Slaves<dim> &, const TimeStep &) = 0;

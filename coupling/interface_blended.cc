@@ -118,6 +118,7 @@ BlendedInterface<dim>::BlendedInterface(const InterfaceSpec &spec, MeshPort<dim>
                           spec.mesh_body + "\"",
                   "at least " + engineering(least) + " m: two supports of a particle and two elements");
   share(spec, layer, mesh, particles);
+  this->follow(spec, mesh);
 }
 
 template <int dim>

@@ -75,6 +75,7 @@ void PairFluxInterface<dim>::board(const Faces<dim> &faces)
   riders_ = seam_.empty() ? std::vector<RiderPlace<dim>>() :
             spec_.per_edge > 0 ? places_in_cells<dim>(view) : continue_lattice<dim>(view, mesh_);
   sort_by_host();
+  tell_ports();
 
   // Particles fill their body: their cells are not quite those of the lattice.
   const auto &cloud = faces[particle_party];
@@ -90,10 +91,10 @@ void PairFluxInterface<dim>::board(const Faces<dim> &faces)
   sph::Newcomers<dim> in;
   in.body = spec_.particles;
   in.resize(riders_.size());
+  take_states(in.points);
   for (const auto &[element, carried] : hosts_)
     for (const std::uint32_t k : carried)
     {
-      mesh_.copy_state(element, in.points, k);
       in.mass[k] = riders_[k].volume * (spec_.per_edge > 0 ? in.points.density[k] : own / lattice_volume);
       for (int a = 0; a < dim; ++a)
       {
@@ -115,6 +116,36 @@ void PairFluxInterface<dim>::sort_by_host()
   for (std::size_t k = 0; k < riders_.size(); ++k)
     by_host[riders_[k].element].push_back(static_cast<std::uint32_t>(k));
   hosts_.assign(by_host.begin(), by_host.end());
+  host_elements_.clear();
+  for (const auto &[element, carried] : hosts_)
+    host_elements_.push_back(element);
+}
+
+/// What the ports must keep up for the seam as it is.
+template <int dim>
+void PairFluxInterface<dim>::tell_ports()
+{
+  // Feet are found within 1.5 of the reach of a pair, by boxes.
+  particles_.attend_seam(spec_.name, {spec_.particles, seam_, 2 * particles_.lattice(spec_.particles).reach});
+  std::vector<std::uint32_t> nodes;
+  for (const auto &rider : riders_)
+    nodes.insert(nodes.end(), rider.host.node.begin(), rider.host.node.end());
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  mesh_.follow(spec_.name, nodes);
+}
+
+/// State of the elements that carry riders, to each of their riders.
+template <int dim>
+void PairFluxInterface<dim>::take_states(materials::Points &of_riders) const
+{
+  state_.resize(host_elements_.size());
+  mesh_.copy_states(host_elements_, state_);
+  const auto from = fields_of(state_), to = fields_of(of_riders);
+  for (std::size_t f = 0; f < from.size(); ++f)
+    for (std::size_t h = 0; h < hosts_.size(); ++h)
+      for (const std::uint32_t k : hosts_[h].second)
+        (*to[f])[k] = (*from[f])[h];
 }
 
 /// Elements near the seam.
@@ -158,7 +189,7 @@ void PairFluxInterface<dim>::find_feet(const Faces<dim> &faces)
 {
   const auto  &cloud = faces[particle_party];
   const double reach = particles_.lattice(spec_.particles).reach;
-  topology_          = cloud.topology;
+  topology_          = faces.particle_lists;
   feet_.clear();
   if (seam_.empty())
     return;
@@ -213,10 +244,10 @@ void PairFluxInterface<dim>::gather(Faces<dim> &faces, const Slaves<dim> &)
 {
   if (adopt_)
   {
-    topology_ = faces[particle_party].topology;
+    topology_ = faces.particle_lists;
     adopt_    = false;
   }
-  if (topology_ != faces[particle_party].topology)
+  if (topology_ != faces.particle_lists)
   {
     find_feet(faces);
     balance_areas(faces);
@@ -245,13 +276,16 @@ void PairFluxInterface<dim>::gather(Faces<dim> &faces, const Slaves<dim> &)
   }
   edge_force_.resize(edges_.size());
   edge_velocity_before_.resize(edges_.size());
-  state_.resize(2);
+  std::vector<std::uint32_t> beside;
+  for (const Edge &edge : edges_)
+    beside.insert(beside.end(), edge.element.begin(), edge.element.end());
+  state_.resize(beside.size());
+  if (!beside.empty())
+    mesh_.copy_states(beside, state_);
   for (std::size_t e = 0; e < edges_.size(); ++e)
   {
-    const Edge &edge = edges_[e];
-    for (std::size_t k = 0; k < 2; ++k)
-      mesh_.copy_state(edge.element[k], state_, k);
-    const Mat3 stress = .5 * (state_.stress(0).matrix() + state_.stress(1).matrix());
+    const Edge &edge   = edges_[e];
+    const Mat3  stress = .5 * (state_.stress(2 * e).matrix() + state_.stress(2 * e + 1).matrix());
     edge_force_[e]    = stress.topLeftCorner<dim, dim>() * edge.area;
     edge_velocity_before_[e] = faces.velocity(mesh_party, edge.node[0]) - faces.velocity(mesh_party, edge.node[1]);
     faces.add_force(mesh_party, edge.node[0], edge_force_[e]);
@@ -277,17 +311,8 @@ void PairFluxInterface<dim>::drive(const Faces<dim> &faces, Slaves<dim> &) const
       on.velocity[a][k] = sum;
     }
   }
-  if (riders_.empty())
-    return;
-  state_.resize(1);
-  const auto from = fields_of(state_), to = fields_of(*on.state);
-  for (const auto &[element, carried] : hosts_)
-  {
-    mesh_.copy_state(element, state_, 0);
-    for (std::size_t f = 0; f < from.size(); ++f)
-      for (const std::uint32_t k : carried)
-        (*to[f])[k] = (*from[f])[0];
-  }
+  if (!riders_.empty())
+    take_states(*on.state);
 }
 
 template <int dim>

@@ -60,6 +60,8 @@ private:
 
   void       board(const Faces<dim> &); ///< riders and damped elements for the seam as it is
   void       sort_by_host();
+  void       tell_ports();
+  void       take_states(materials::Points &of_riders) const;
   void       damp(const Faces<dim> &, const typename MeshPort<dim>::Cells &);
   void       find_feet(const Faces<dim> &);
   void       balance_areas(const Faces<dim> &);
@@ -76,6 +78,7 @@ private:
   std::vector<typename Surface<dim>::Facet>        seam_;
   std::vector<RiderPlace<dim>>                     riders_;
   std::vector<std::pair<std::uint32_t, std::vector<std::uint32_t>>> hosts_; ///< element, its riders
+  std::vector<std::uint32_t>                       host_elements_; ///< of hosts_
   /// An edge of the seam and the area that it carries from its second to its
   /// first node, m^2.
   struct Edge

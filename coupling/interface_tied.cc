@@ -96,6 +96,18 @@ TiedInterface<dim>::TiedInterface(const InterfaceSpec &spec, MeshPort<dim> &mesh
   if (embedding_.empty())
     throw nobody_at_seam(spec, seam.nearest_distance(), seam.spacing);
   give_mass(spec, seam, mesh);
+  this->follow(spec, mesh);
+}
+
+template <int dim>
+void TiedInterface<dim>::follow(const InterfaceSpec &spec, MeshPort<dim> &mesh) const
+{
+  std::vector<std::uint32_t> nodes;
+  for (const auto &embedding : embedding_)
+    nodes.insert(nodes.end(), embedding.node.begin(), embedding.node.end());
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  mesh.follow(spec.name, nodes);
 }
 
 template <int dim>

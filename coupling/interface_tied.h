@@ -39,6 +39,8 @@ public:
 protected:
   /// For others that choose slaves in their own way.
   explicit TiedInterface(const Slaves<dim> &slaves) : first_(slaves.id.size()) {}
+  /// Asks for the motion of the nodes that carry.
+  void follow(const InterfaceSpec &, MeshPort<dim> &) const;
 
   std::size_t                 first_ = 0; ///< of this interface's range in Slaves
   std::vector<std::int64_t>   id_;

@@ -136,8 +136,9 @@ void set_velocity(fem::BodyMesh<dim> &mesh, const Setup &setup)
 } // namespace
 
 template <int dim>
-Model<dim>::Model(const input::Scene &scene, const Setup &setup)
-  : n_walls_(scene.walls.size())
+Model<dim>::Model(const input::Scene &scene, const Setup &setup, const Ranks &ranks)
+  : ranks_(ranks)
+  , n_walls_(scene.walls.size())
 {
   build(scene, setup, {});
   if (const auto moves = coupler_->moves(); !moves.empty())
@@ -187,19 +188,19 @@ void Model<dim>::build(const input::Scene &scene, const Setup &setup, const std:
   if (!meshes.empty())
     fem_ = std::make_unique<fem::Solver<dim>>(
       fem::Parameters{scene.fem, scene.dimension == input::Dimension::axisymmetric, scene.symmetry, scene.walls,
-                      scene.boundaries, boundary_bodies(scene), mesh_ties(scene)},
+                      scene.boundaries, boundary_bodies(scene), mesh_ties(scene), ranks_, scene.parallel},
       std::move(meshes));
   if (!clouds.empty())
     sph_ = std::make_unique<sph::Solver<dim>>(
       sph::Parameters{scene.sph, scene.dimension == input::Dimension::axisymmetric, scene.symmetry, scene.walls,
-                      scene.boundaries, boundary_bodies(scene), setup.mirrors},
+                      scene.boundaries, boundary_bodies(scene), setup.mirrors, scene.parallel, ranks_},
       std::move(clouds));
   if (!held.empty())
   {
     conversion_ = std::make_unique<Conversion<dim>>(scene, *fem_, *sph_, held);
     conversion_->begin();
   }
-  coupler_ = std::make_unique<Coupler<dim>>(scene, fem_.get(), sph_.get());
+  coupler_ = std::make_unique<Coupler<dim>>(scene, fem_.get(), sph_.get(), ranks_);
   begin_parts(scene);
   for (const input::Contact &contact : scene.contacts)
     contact_bodies_.emplace_back(body_index(scene, contact.first), body_index(scene, contact.second));
@@ -213,7 +214,10 @@ std::vector<ConversionEvent> Model<dim>::convert(std::int64_t step, double time)
   const Stopwatch watch(sph_seconds_);
   auto            events = conversion_->convert(step, time);
   if (!events.empty())
+  {
+    fem_->refresh_all(); // riders find their places in elements that lie deep
     coupler_->renew();
+  }
   return events;
 }
 

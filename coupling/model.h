@@ -6,6 +6,8 @@
 #include "core/base/sample.h"
 #include "core/input/scene.h"
 #include "core/io/archive.h"
+#include "core/parallel/rank_share.h"
+#include "core/parallel/ranks.h"
 #include "core/time/time_step.h"
 #include "coupling/conversion.h"
 #include "coupling/coupler.h"
@@ -35,7 +37,9 @@ template <int dim>
 class Model
 {
 public:
-  explicit Model(const input::Scene &, const Setup & = {});
+  /// `ranks` share the work; all functions are called by all of them alike, and
+  /// give the same answer on each.
+  explicit Model(const input::Scene &, const Setup & = {}, const Ranks &ranks = {});
 
   StepLimit stable_dt() const;
 
@@ -87,10 +91,14 @@ public:
 
   std::size_t   particles() const { return sph_ ? sph_->size() : 0; }
   std::size_t   elements() const { return fem_ ? fem_->size() - fem_->converted_elements() : 0; }
-  std::uint64_t particle_updates() const { return sph_ ? sph_->updates() : 0; }
-  std::uint64_t element_updates() const { return fem_ ? fem_->updates() : 0; }
-  double        sph_seconds() const { return sph_seconds_; } ///< processor time spent in the particle solver
-  double        fem_seconds() const { return fem_seconds_; }
+  std::uint64_t particle_updates() const { return sum(sph_ ? sph_->updates() : 0); } ///< of all ranks
+  std::uint64_t element_updates() const { return sum(fem_ ? fem_->updates() : 0); }
+  /// Processor time that all ranks spent in the particle solver, and in that of the mesh.
+  double        sph_seconds() const { return ranks_.sum(sph_seconds_); }
+  double        fem_seconds() const { return ranks_.sum(fem_seconds_); }
+  const Ranks  &ranks() const { return ranks_; }
+  /// What this rank has of all; what it tells others is not in it.
+  RankShare     share() const;
 
 private:
   /// `moves`: of points that would overlap.
@@ -101,7 +109,12 @@ private:
   StepLimit  coarse_limit() const;
   StepStatus take_part(const TimeStep &whole, std::size_t j);
   double     parts_error(Party) const; ///< of steps in parts, J
+  std::uint64_t sum(std::uint64_t own) const
+  {
+    return static_cast<std::uint64_t>(ranks_.sum(static_cast<std::int64_t>(own)));
+  }
 
+  Ranks                              ranks_;
   std::size_t                        n_walls_;
   std::vector<std::pair<int, int>>   contact_bodies_; ///< of each contact of the scene
   std::unique_ptr<fem::Solver<dim>>  fem_;

@@ -101,6 +101,29 @@ StepStatus Model<dim>::take_part(const TimeStep &whole, std::size_t j)
 }
 
 template <int dim>
+RankShare Model<dim>::share() const
+{
+  RankShare share;
+  share.solver_s = sph_seconds_ + fem_seconds_;
+  if (sph_)
+  {
+    const sph::Diagnostics d = sph_->diagnostics();
+    share.particles          = static_cast<std::int64_t>(d.own);
+    share.halo_particles     = static_cast<std::int64_t>(d.halo);
+    share.particle_work      = d.work;
+  }
+  if (fem_)
+  {
+    const auto own     = fem_->share();
+    share.elements     = static_cast<std::int64_t>(own.elements);
+    share.nodes        = static_cast<std::int64_t>(own.nodes);
+    share.shared_nodes = static_cast<std::int64_t>(own.shared);
+    share.element_work = own.work;
+  }
+  return share;
+}
+
+template <int dim>
 double Model<dim>::parts_error(Party party) const
 {
   return party == mesh_party ? (subcycling_.mesh_is_coarse() ? fem_->parts_error() : 0.) :

@@ -9,7 +9,7 @@ namespace ogive::coupling
 template <int dim>
 bool PairFluxInterface<dim>::feet_are_current() const
 {
-  return adopt_ || topology_ == particles_.surface().topology;
+  return adopt_ || topology_ == particles_.lists();
 }
 
 template <int dim>
@@ -153,6 +153,7 @@ void PairFluxInterface<dim>::load_riders(const ArchiveReader &archive, const std
   }
   damped_.assign(damped.begin(), damped.end());
   sort_by_host();
+  tell_ports();
 }
 
 #define OGIVE_INSTANTIATE(dim)                                                                               \

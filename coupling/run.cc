@@ -4,15 +4,15 @@
 #include "core/base/error.h"
 #include "core/io/field_writer.h"
 #include "core/io/history_writer.h"
-#include "core/time/clock.h"
+#include "core/parallel/together.h"
 #include "coupling/certificate.h"
 #include "coupling/conversion_log.h"
 #include "coupling/model.h"
 #include "coupling/run_report.h"
+#include "coupling/run_support.h"
 #include "coupling/stop.h"
 
-#include <sys/resource.h>
-
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <map>
@@ -28,35 +28,20 @@ constexpr std::int64_t mark_interval = 16;
 /// time some do, lists are built anew and a state is kept.
 constexpr std::int64_t conversion_interval = 10;
 
-StepControl step_control(const input::Scene &scene)
-{
-  StepControl control{.smallest_step_ratio = scene.limits.smallest_step_ratio};
-  for (const input::Body &body : scene.bodies)
-    control.bodies.push_back(body.name);
-  return control;
-}
-
-/// By mass scaling, by the name of the body.
-template <int dim>
-std::map<std::string, double> added_mass(const input::Scene &scene, const Model<dim> &model)
-{
-  std::map<std::string, double> all;
-  for (const auto &added : model.added_masses())
-    all[scene.bodies[static_cast<std::size_t>(added.body)].name] = added.fraction;
-  return all;
-}
-
 template <int dim>
 class Run
 {
 public:
-  Run(const input::Scene &scene, const std::function<io::RunDirectory()> &open, const RunLabels &labels, Log &log)
+  Run(const input::Scene &scene, const std::function<io::RunDirectory()> &open, const RunLabels &labels, Log &log,
+      const Ranks &ranks)
     : scene_(scene)
     , labels_(labels)
     , log_(log)
+    , ranks_(ranks)
     , control_(step_control(scene))
-    , model_(scene)
+    , model_(scene, Setup(), ranks)
     , directory_(open())
+    , traffic_(ranks)
     , clock_(scene.end_time, control_)
     , mark_clock_(clock_)
     , history_due_(scene.output.history_interval)
@@ -70,10 +55,12 @@ public:
 
   void begin()
   {
-    history_.emplace(directory_.history(), report_.columns());
-    fields_.emplace(directory_.path());
-    if (model_.converts())
-      conversions_.begin(directory_.conversions());
+    on_first(ranks_, [this] {
+      history_.emplace(directory_.history(), report_.columns());
+      fields_.emplace(directory_.path());
+      if (model_.converts())
+        conversions_.begin(directory_.conversions());
+    });
     for (const std::string &note : model_.mesh_notes())
       log_.warn(note);
     for (const InitialOverlap &o : model_.initial_overlaps())
@@ -99,9 +86,12 @@ public:
   {
     while (!clock_.done() && !stop_.stop())
     {
-      const StepLimit limit = model_.stable_dt();
-      const TimeStep  step  = clock_.plan(limit);
-      if (const StepStatus status = model_.step(step); !status.ok)
+      traffic_.begin();
+      const StepLimit  limit  = model_.stable_dt();
+      const TimeStep   step   = clock_.plan(limit);
+      const StepStatus status = model_.step(step);
+      traffic_.end();
+      if (!status.ok)
       {
         reject(status.culprit);
         continue;
@@ -141,7 +131,7 @@ private:
     if (clock_.step() % conversion_interval != 0)
       return;
     const std::vector<ConversionEvent> events = model_.convert(clock_.step(), clock_.time());
-    conversions_.write(events);
+    on_first(ranks_, [&] { conversions_.write(events); });
     if (!events.empty()) // no way back past it
       mark();
   }
@@ -164,6 +154,8 @@ private:
       mark();
   }
 
+  /// Ranks all come here, as to all of what follows, and see the same: samples are
+  /// of all of them, so observers, the rule to stop and the books decide alike.
   void write_row()
   {
     const LedgerRow ledger = model_.ledger();
@@ -176,7 +168,8 @@ private:
                    ledger.kinetic, ledger.elastic, ledger.angular_momentum, ledger.viscosity_heat,
                    ledger.plastic_work};
     stop_.row(frame);
-    history_->row(report_.row(frame, clock_.step(), ledger));
+    const std::vector<double> values = report_.row(frame, clock_.step(), ledger);
+    on_first(ranks_, [&] { history_->row(values); });
     row_step_ = clock_.step();
     log_.progress({clock_.time(), clock_.end_time(), start_time_, seconds(), clock_.step(), report_.limiter(),
                    report_.drift()});
@@ -186,19 +179,23 @@ private:
 
   void write_fields()
   {
-    std::vector<io::FieldBlock> blocks;
+    std::vector<io::FieldBlock> blocks; // of the first rank
+    const auto                  add = [&](const std::string &name, int body, const Sample &sample) {
+      if (!ranks_.first())
+        return;
+      blocks.push_back(io::make_block(name, sample));
+      blocks.back().body = body;
+    };
     for (std::size_t b = 0; b < scene_.bodies.size(); ++b)
     {
       const int         body     = static_cast<int>(b);
       const std::string name     = scene_.bodies[b].name;
       const bool        converts = scene_.bodies[b].method == input::Method::automatic;
-      blocks.push_back(io::make_block(name, converts ? model_.mesh_sample(body) : model_.sample(body)));
-      blocks.back().body = body;
+      add(name, body, converts ? model_.mesh_sample(body) : model_.sample(body));
       if (converts)
-        blocks.push_back(io::make_block(name + "-particles", model_.particle_sample(body)));
-      blocks.back().body = body;
+        add(name + "-particles", body, model_.particle_sample(body));
     }
-    fields_->write(clock_.time(), blocks);
+    on_first(ranks_, [&] { fields_->write(clock_.time(), blocks); });
     fields_step_ = clock_.step();
   }
 
@@ -213,14 +210,16 @@ private:
   const input::Scene                   &scene_;
   const RunLabels                      &labels_;
   Log                                  &log_;
+  Ranks                                 ranks_;
   StepControl                           control_;
   Model<dim>                            model_;
   io::RunDirectory                      directory_;
+  TrafficMeter                          traffic_; ///< of the steps
   Clock                                 clock_, mark_clock_;
   Schedule                              history_due_, fields_due_, checkpoint_due_;
   StopWatch                             stop_;
   RunReport                             report_;
-  std::optional<io::HistoryWriter>      history_;
+  std::optional<io::HistoryWriter>      history_; ///< of the first rank, like the next
   std::optional<io::FieldWriter>        fields_;
   std::vector<io::Summary::Certificate> certificates_;
   ConversionLog                         conversions_;
@@ -232,16 +231,21 @@ private:
 template <int dim>
 void Run<dim>::write_checkpoint()
 {
-  io::Hdf5ArchiveWriter archive(directory_.checkpoint(clock_.step()));
+  std::array<std::int64_t, 3> written{}; // by the first rank
+  if (ranks_.first())
+    written = {history_->rows(), static_cast<std::int64_t>(fields_->count()), conversions_.rows()};
+  ranks_.broadcast(std::span<std::int64_t>(written), 0);
+
+  io::Hdf5ArchiveWriter archive(directory_.checkpoint(clock_.step()), ranks_);
   archive.write_text("scene", labels_.resolved);
   archive.write_text("commit", labels_.commit);
   clock_.save(archive, "clock");
   history_due_.save(archive, "schedule/history");
   fields_due_.save(archive, "schedule/fields");
   checkpoint_due_.save(archive, "schedule/checkpoint");
-  archive.write("rows", history_->rows());
-  archive.write("states", static_cast<std::int64_t>(fields_->count()));
-  archive.write("conversions", conversions_.rows());
+  archive.write("rows", written[0]);
+  archive.write("states", written[1]);
+  archive.write("conversions", written[2]);
   archive.write("row_step", row_step_);
   archive.write("fields_step", fields_step_);
   stop_.save(archive, "stop");
@@ -263,11 +267,13 @@ void Run<dim>::resume(const io::Hdf5ArchiveReader &archive)
   stop_.load(archive, "stop");
   report_.load(archive, "report");
   model_.load(archive);
-  history_.emplace(io::HistoryWriter::resume(directory_.history(), report_.columns(), archive.integer("rows")));
-  fields_.emplace(
-    io::FieldWriter::resume(directory_.path(), static_cast<std::size_t>(archive.integer("states"))));
-  if (model_.converts())
-    conversions_.resume(directory_.conversions(), archive.integer("conversions"));
+  on_first(ranks_, [&] {
+    history_.emplace(io::HistoryWriter::resume(directory_.history(), report_.columns(), archive.integer("rows")));
+    fields_.emplace(
+      io::FieldWriter::resume(directory_.path(), static_cast<std::size_t>(archive.integer("states"))));
+    if (model_.converts())
+      conversions_.resume(directory_.conversions(), archive.integer("conversions"));
+  });
   start_time_      = clock_.time();
   checkpoint_step_ = clock_.step();
   mark();
@@ -292,77 +298,35 @@ io::Summary Run<dim>::finish()
   summary.version                      = labels_.version;
   summary.commit                       = labels_.commit;
   summary.wall_s                       = seconds();
-  summary.core_s                       = model_.sph_seconds() + model_.fem_seconds();
+  summary.ranks                        = ranks_.size();
+  const double sph_seconds = model_.sph_seconds(), fem_seconds = model_.fem_seconds();
+  summary.core_s                       = sph_seconds + fem_seconds;
   summary.steps                        = clock_.step();
   summary.end_time_s                   = clock_.time();
   summary.particles                    = static_cast<std::int64_t>(model_.particles());
   summary.elements                     = static_cast<std::int64_t>(model_.elements());
-  summary.sph_particle_steps_per_core_s = rate(model_.particle_updates(), model_.sph_seconds());
-  summary.fem_element_steps_per_core_s  = rate(model_.element_updates(), model_.fem_seconds());
+  summary.sph_particle_steps_per_core_s = rate(model_.particle_updates(), sph_seconds);
+  summary.fem_element_steps_per_core_s  = rate(model_.element_updates(), fem_seconds);
+  if (!ranks_.alone())
+  {
+    RankShare own = model_.share();
+    traffic_.tell(own);
+    summary.shares = ranks_.gather_one(own);
+  }
   summary.certificates                 = certificates_;
   summary.warnings                     = log_.warnings();
-  io::write_summary(directory_.summary(), summary);
+  on_first(ranks_, [&] { io::write_summary(directory_.summary(), summary); });
   return summary;
-}
-
-template <int dim>
-Plan make_plan(const input::Scene &scene)
-{
-  Model<dim> model(scene);
-  Plan       plan;
-  const RunReport report(scene); // refuses what it cannot observe
-  plan.particles = model.particles();
-  plan.elements  = model.elements();
-  plan.limit     = model.stable_dt();
-  plan.steps     = std::ceil(scene.end_time / plan.limit.dt);
-  plan.mass      = model.ledger().mass;
-  plan.ties      = model.ties();
-  plan.overlaps  = model.initial_overlaps();
-  plan.added_mass_fraction = added_mass<dim>(scene, model);
-  plan.meshes    = model.mesh_qualities(scene);
-  // an iteration costs about two steps, and it takes hundreds
-  if (constexpr std::size_t affordable = 100000; plan.elements > 0 && plan.elements <= affordable)
-    plan.critical = model.critical_dt();
-
-  Clock          clock(scene.end_time, step_control(scene));
-  constexpr int  trials = 5;
-  const auto     start  = std::chrono::steady_clock::now();
-  for (int k = 0; k < trials && !clock.done(); ++k)
-  {
-    if (!model.step(clock.plan(model.stable_dt())).ok)
-      break;
-    clock.advance();
-  }
-  plan.seconds_per_step = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / trials;
-
-  rusage usage;
-  getrusage(RUSAGE_SELF, &usage);
-  plan.memory_bytes = 1024. * static_cast<double>(usage.ru_maxrss);
-  return plan;
-}
-
-/// Calls f.template operator()<dim>() for the dimension of the scene.
-template <class F>
-auto with_dimension(const input::Scene &scene, F &&f)
-{
-  switch (input::space_dimension(scene.dimension))
-  {
-    case 1:
-      return f.template operator()<1>();
-    case 2:
-      return f.template operator()<2>();
-    default:
-      return f.template operator()<3>();
-  }
 }
 } // namespace
 
 io::Summary run_scene(const input::Scene &scene, const std::function<io::RunDirectory()> &open,
-                      const RunLabels &labels, Log &log)
+                      const RunLabels &labels, Log &log, const Ranks &ranks)
 {
-  auto certificates = certify_before_run(scene, log);
+  std::vector<io::Summary::Certificate> certificates; // for the summary, which the first rank writes
+  on_first(ranks, [&] { certificates = certify_before_run(scene, log); });
   return with_dimension(scene, [&]<int dim>() {
-    Run<dim> run(scene, open, labels, log);
+    Run<dim> run(scene, open, labels, log, ranks);
     run.certified(std::move(certificates));
     run.begin();
     return run.go();
@@ -370,17 +334,13 @@ io::Summary run_scene(const input::Scene &scene, const std::function<io::RunDire
 }
 
 io::Summary restart_scene(const input::Scene &scene, const io::RunDirectory &directory,
-                          const io::Hdf5ArchiveReader &checkpoint, const RunLabels &labels, Log &log)
+                          const io::Hdf5ArchiveReader &checkpoint, const RunLabels &labels, Log &log,
+                          const Ranks &ranks)
 {
   return with_dimension(scene, [&]<int dim>() {
-    Run<dim> run(scene, [&] { return directory; }, labels, log);
+    Run<dim> run(scene, [&] { return directory; }, labels, log, ranks);
     run.resume(checkpoint);
     return run.go();
   });
-}
-
-Plan plan_scene(const input::Scene &scene)
-{
-  return with_dimension(scene, [&]<int dim>() { return make_plan<dim>(scene); });
 }
 } // namespace ogive::coupling

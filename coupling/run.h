@@ -6,6 +6,7 @@
 #include "core/io/hdf5_archive.h"
 #include "core/io/run_directory.h"
 #include "core/io/summary.h"
+#include "core/parallel/ranks.h"
 #include "coupling/contact.h"
 #include "fem/mesh_quality.h"
 #include "fem/solver.h"
@@ -29,12 +30,18 @@ struct RunLabels
 
 /// `open` makes the directory; it is called once the model stands, so that a
 /// scene that cannot be built touches nothing.
-io::Summary run_scene(const input::Scene &, const std::function<io::RunDirectory()> &open, const RunLabels &, Log &);
+///
+/// On several ranks all call it alike, and `open` is called on all. The first one
+/// writes all files but checkpoints, which all write together; each rank gets the
+/// whole summary and meets every error.
+io::Summary run_scene(const input::Scene &, const std::function<io::RunDirectory()> &open, const RunLabels &, Log &,
+                      const Ranks & = {});
 
 /// Goes on from a checkpoint of the directory; rows and states written after it
-/// are dropped, and what follows is equal to the bit to an unbroken run.
+/// are dropped, and what follows is equal to the bit to an unbroken run on the same
+/// number of ranks; any other number gives the same to rounding.
 io::Summary restart_scene(const input::Scene &, const io::RunDirectory &, const io::Hdf5ArchiveReader &checkpoint,
-                          const RunLabels &, Log &);
+                          const RunLabels &, Log &, const Ranks & = {});
 
 /// What `ogive check` prints: counts, the first step and who sets it, and the
 /// processor time of one step, measured on a few steps that are thrown away.

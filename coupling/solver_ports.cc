@@ -38,6 +38,11 @@ public:
   {
     solver_.copy_pressing_state(element, to, k);
   }
+  void copy_states(std::span<const std::uint32_t> elements, materials::Points &to) const override
+  {
+    solver_.gather_pressing_states(elements, to);
+  }
+  void follow(const std::string &who, std::span<const std::uint32_t> nodes) override { solver_.follow(who, nodes); }
   void weigh(int body, std::span<const std::uint32_t> elements, std::span<const double> shares) override
   {
     solver_.weigh(body, elements, shares);
@@ -101,12 +106,13 @@ std::unique_ptr<Base> port_to(Solver *solver)
 
 // Here and not in coupler.cc, so that the layer links without the solvers.
 template <int dim>
-Coupler<dim>::Coupler(const input::Scene &scene, fem::Solver<dim> *mesh, sph::Solver<dim> *particles)
+Coupler<dim>::Coupler(const input::Scene &scene, fem::Solver<dim> *mesh, sph::Solver<dim> *particles,
+                      const Ranks &ranks)
   : Coupler(scene, port_to<FemPort<dim>, MeshPort<dim>>(mesh),
-            port_to<SphPort<dim>, ParticlePort<dim>>(particles))
+            port_to<SphPort<dim>, ParticlePort<dim>>(particles), ranks)
 {}
 
-template Coupler<1>::Coupler(const input::Scene &, fem::Solver<1> *, sph::Solver<1> *);
-template Coupler<2>::Coupler(const input::Scene &, fem::Solver<2> *, sph::Solver<2> *);
-template Coupler<3>::Coupler(const input::Scene &, fem::Solver<3> *, sph::Solver<3> *);
+template Coupler<1>::Coupler(const input::Scene &, fem::Solver<1> *, sph::Solver<1> *, const Ranks &);
+template Coupler<2>::Coupler(const input::Scene &, fem::Solver<2> *, sph::Solver<2> *, const Ranks &);
+template Coupler<3>::Coupler(const input::Scene &, fem::Solver<3> *, sph::Solver<3> *, const Ranks &);
 } // namespace ogive::coupling

@@ -6,19 +6,37 @@
 
 namespace ogive::coupling
 {
-template <int dim>
-Faces<dim> Faces<dim>::look(MeshPort<dim> *mesh, ParticlePort<dim> *particles)
+namespace
 {
-  Faces faces;
+template <int dim>
+Faces<dim> seen(MeshPort<dim> *mesh, ParticlePort<dim> *particles, bool again)
+{
+  Faces<dim> faces;
   if (mesh)
     faces.of[mesh_party] = mesh->surface();
   if (particles)
   {
+    again ? particles->meet_again() : particles->meet(faces.of[mesh_party]);
     faces.of[particle_party] = particles->surface();
     faces.particle_index     = particles->index_of_id();
     faces.damage             = particles->damage();
+    faces.widest             = particles->widest();
+    faces.particle_lists     = particles->lists_met();
   }
   return faces;
+}
+} // namespace
+
+template <int dim>
+Faces<dim> Faces<dim>::look(MeshPort<dim> *mesh, ParticlePort<dim> *particles)
+{
+  return seen<dim>(mesh, particles, false);
+}
+
+template <int dim>
+Faces<dim> Faces<dim>::look_again(MeshPort<dim> *mesh, ParticlePort<dim> *particles)
+{
+  return seen<dim>(mesh, particles, true);
 }
 
 template <int dim>

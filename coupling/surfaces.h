@@ -13,6 +13,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace ogive::coupling
@@ -61,6 +62,15 @@ public:
   virtual Cells cells(int) const { throw InputError("this mesh does not name its cells"); }
   /// State of an element with all the stress that it presses its neighbours with.
   virtual void  copy_state(std::uint32_t, materials::Points &, std::size_t) const {}
+  /// The same of several, entry k for the k-th; called by all ranks alike.
+  virtual void  copy_states(std::span<const std::uint32_t> elements, materials::Points &to) const
+  {
+    for (std::size_t k = 0; k < elements.size(); ++k)
+      copy_state(elements[k], to, k);
+  }
+  /// From now on the motion of these nodes is asked for after each step, too, on all
+  /// ranks: of those that particles ride on. Replaces what `who` asked for before.
+  virtual void  follow(const std::string & /*who*/, std::span<const std::uint32_t>) {}
   virtual void  damp(int, std::span<const std::uint32_t>, double) {}
   /// See fem::Solver.
   virtual void weigh(int, std::span<const std::uint32_t>, std::span<const double>)
@@ -69,7 +79,19 @@ public:
   }
 };
 
-/// What the coupling layer asks of a particle solver.
+/// Particles of a body that contact with another body asks for: those within
+/// `reach` (m) of its facets, or of its particles; all of them where it is infinite.
+struct Attention
+{
+  int    body  = 0, other = 0; ///< index into Scene::bodies
+  Party  party = mesh_party;   ///< what of the other body
+  double reach = 0;
+};
+
+/// What the coupling layer asks of a particle solver. Where ranks share the
+/// particles, surface() is common to all of them (coupling/common_particles.h) and
+/// all functions are called by all ranks alike; the functions under "Ranks" then
+/// say when it has to be brought up to date, and who must be in it.
 template <int dim>
 class ParticlePort
 {
@@ -110,6 +132,31 @@ public:
     double                  reach = 0;
   };
   virtual Lattice lattice(int) const { return {}; }
+
+  // Ranks.
+  /// Changes whenever the solver has renewed the lists of its pairs: as it is now,
+  /// and as it was at the last meet().
+  virtual std::uint64_t lists() { return surface().topology; }
+  virtual std::uint64_t lists_met() { return surface().topology; }
+  /// Before surface() is asked for at t_n: who matters now, and where they are.
+  virtual void meet(const Surface<dim> & /*mesh*/) {}
+  /// Before it is asked for after a step: velocities of the same particles.
+  virtual void meet_again() {}
+  /// Surface::force is complete: to those who own the particles.
+  virtual void give_forces() {}
+  virtual void attend(std::vector<Attention>) {}
+  /// Particles of a body near a seam, within `reach` (m) of its facets.
+  struct NearSeam
+  {
+    int                                       body  = 0;
+    std::vector<typename Surface<dim>::Facet> facets;
+    double                                    reach = 0;
+  };
+  virtual void attend_seam(const std::string & /*name*/, NearSeam) {}
+  /// Largest radius of each body's particles so far, m; empty: as surface() has it.
+  virtual std::span<const double> widest() const { return {}; }
+  /// The solver went back or was loaded.
+  virtual void forget() {}
 };
 
 /// The surfaces of both parties as they are now; the one of an absent party
@@ -123,8 +170,12 @@ struct Faces
   /// Of the forces that the particle solver found at t_n, as far as others take
   /// them from it: 1, or in a part of a step what acts in that part.
   double particle_share = 1;
+  std::span<const double> widest;         ///< see ParticlePort
+  std::uint64_t           particle_lists = 0; ///< ParticlePort::lists_met()
 
   static Faces look(MeshPort<dim> *mesh, ParticlePort<dim> *particles);
+  /// After the step: points of the last look, with their velocities of now.
+  static Faces look_again(MeshPort<dim> *mesh, ParticlePort<dim> *particles);
 
   Surface<dim>       &operator[](int party) { return of[party]; }
   const Surface<dim> &operator[](int party) const { return of[party]; }
@@ -151,6 +202,11 @@ struct Faces
   {
     for (int a = 0; a < dim; ++a)
       of[party].force[a][i] += f[a];
+  }
+  /// Largest radius that a body's particles are known to have, m.
+  double widest_of(int body) const
+  {
+    return static_cast<std::size_t>(body) < widest.size() ? widest[static_cast<std::size_t>(body)] : 0;
   }
   /// Index of a point now, given the index it had when `id` was read. Nodes of
   /// a mesh keep their index within a step; particles are reordered.

@@ -5,6 +5,7 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <cmath>
 
 namespace ogive::fem
@@ -55,7 +56,9 @@ void AbsorbingFaces<dim>::apply(const TimeStep &step, const PrescribedMotion<dim
                                 const std::array<AlignedVector<double>, dim> &v_old)
 {
   std::fill(damping_.begin(), damping_.end(), Matrix::Zero());
+  const auto feels = [&nodes](std::uint32_t a) { return nodes.feels(a); };
   for (const Facet &f : facets_)
+    if (std::any_of(f.facet.node.begin(), f.facet.node.end(), feels))
     for_each_area_share<dim>(nodes, f.facet, axisymmetric_,
                              [&](int a, const Vector &share)
                              {
@@ -72,7 +75,7 @@ void AbsorbingFaces<dim>::apply(const TimeStep &step, const PrescribedMotion<dim
   {
     const std::uint32_t a = nodes_[k];
     impulse_[k].setZero();
-    if (constraints.is_slave(a))
+    if (constraints.is_slave(a) || !nodes.keeps(a))
       continue;
     Matrix C = damping_[k];
     Vector twice_mean;
@@ -97,7 +100,7 @@ template <int dim>
 void AbsorbingFaces<dim>::book(const Nodes<dim> &nodes, BoundaryWork &work) const
 {
   for (std::size_t k = 0; k < nodes_.size(); ++k)
-    for (int i = 0; i < dim; ++i)
+    for (int i = 0; i < dim && nodes.counts(nodes_[k]); ++i)
     {
       work.absorbed -= impulse_[k][i] * nodes.v_mean[i][nodes_[k]];
       work.impulse[i] += impulse_[k][i];

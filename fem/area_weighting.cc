@@ -13,12 +13,18 @@ template <>
 void OnePointGroup<Quad4AreaWeighted>::weigh(const Nodes<2> &nodes)
 {
   const std::size_t packs = padded_n_ / width, count = nodal_force_[0].size();
+  const auto        add_up = [&](std::vector<double> &mass) { // over the ranks
+    double *const sums[] = {mass.data()};
+    if (shared_)
+      shared_->sum(sums, first_node_, first_node_ + count);
+  };
   if (ring_mass_.empty())
   {
     ring_mass_.assign(count, 0.);
     for (std::size_t e = 0; e < n_; ++e)
       for (int a = 0; a < corners; ++a)
         ring_mass_[node_[slot(e, a, corners)] - first_node_] += corner_mass_[slot(e, a, corners)];
+    add_up(ring_mass_);
   }
   section_mass_.assign(count, 0.);
   for (std::size_t pack = 0; pack < packs; ++pack)
@@ -33,6 +39,7 @@ void OnePointGroup<Quad4AreaWeighted>::weigh(const Nodes<2> &nodes)
       for (std::size_t lane = 0; lane < lanes; ++lane)
         section_mass_[node_[(pack * corners + a) * width + lane] - first_node_] += quarter[lane];
   }
+  add_up(section_mass_);
   for (std::size_t pack = 0; pack < packs; ++pack)
   {
     Corners v;

@@ -112,12 +112,16 @@ void PrescribedMotion<dim>::apply(const TimeStep &step, Nodes<dim> &nodes,
       if (prescribed(entry.node, i))
       {
         const std::uint32_t a = entry.node;
+        if (!nodes.keeps(a))
+          continue;
         const int           b = entry.boundary[i];
         double              v = b == held ? 0. : entry.amount[i] * factor[b];
         if (b != held && boundaries_[b].kind == input::BoundaryKind::displacement)
           v = (nodes.x0[i][a] + v - nodes.x[i][a]) / step.drift;
         const double impulse = nodes.mass[a] * (v - nodes.v[i][a]);
         nodes.v[i][a]        = v;
+        if (!nodes.counts(a))
+          continue;
         work.external += impulse * .5 * (v + v_old[i][a]);
         work.impulse[i] += impulse;
       }
@@ -147,7 +151,7 @@ void RigidWalls<dim>::apply(const TimeStep &step, const PrescribedMotion<dim> &p
   {
     force_[w] = 0;
     for (const std::uint32_t node : nodes_)
-      if (Touch t; touch(w, node, step, prescribed, nodes, t))
+      if (Touch t; nodes.keeps(node) && touch(w, node, step, prescribed, nodes, t) && nodes.counts(node))
       {
         touches_.push_back(t);
         for (int i = 0; i < dim; ++i)

@@ -32,6 +32,7 @@ public:
               const std::vector<std::size_t> &first_node);
 
   bool empty() const { return slaves_.empty(); }
+  const std::vector<std::uint32_t> &slaves() const { return slaves_; } ///< ascending
   bool is_slave(std::size_t node) const { return !row_.empty() && row_[node] >= 0; }
   /// Calls f(master, weight) for the masters of a slave; not at all for others.
   template <class F>

@@ -27,15 +27,16 @@ CriticalStep<dim>::CriticalStep(std::size_t n_nodes)
 template <int dim>
 void CriticalStep<dim>::scale(const Nodes<dim> &nodes, const Bonds &bonds)
 {
-  double sum = 0;
+  double own = 0;
   for (int i = 0; i < dim; ++i)
     for (std::size_t a = 0; a < nodes.size(); ++a)
     {
       if (bonds.held.prescribed(a, i) || bonds.constraints.is_slave(a) || !(nodes.mass[a] > 0))
         motion_[i][a] = 0;
-      sum += nodes.mass[a] * motion_[i][a] * motion_[i][a];
+      if (nodes.counts(a))
+        own += nodes.mass[a] * motion_[i][a] * motion_[i][a];
     }
-  const double factor = sum > 0 ? 1 / std::sqrt(sum) : 0;
+  const double all = sum(bonds, own), factor = all > 0 ? 1 / std::sqrt(all) : 0;
   for (auto &component : motion_)
     for (double &u : component)
       u *= factor;
@@ -73,6 +74,39 @@ void CriticalStep<dim>::apply(const Groups &groups, const Nodes<dim> &nodes, con
             a, [&](std::uint32_t master, double weight) { component[master] += weight * component[a]; });
           component[a] = 0;
         }
+  if (!bonds.shared)
+    return;
+  std::array<double *, 2 * dim> sums;
+  for (int i = 0; i < dim; ++i)
+  {
+    sums[i]       = stiff_[i].data();
+    sums[dim + i] = damp_[i].data();
+  }
+  bonds.shared->sum(sums);
+}
+
+template <int dim>
+std::uint32_t CriticalStep<dim>::fastest(const Nodes<dim> &nodes, const Bonds &bonds) const
+{
+  double        largest = -1;
+  std::uint32_t node    = 0;
+  for (std::size_t a = 0; a < nodes.size(); ++a)
+  {
+    double size = 0;
+    for (int i = 0; i < dim; ++i)
+      size += motion_[i][a] * motion_[i][a];
+    if (size > largest && nodes.counts(a))
+    {
+      largest = size;
+      node    = static_cast<std::uint32_t>(a);
+    }
+  }
+  if (bonds.shared)
+  {
+    const Ranks &ranks = bonds.shared->ranks();
+    ranks.broadcast(std::span(&node, 1), ranks.least(-largest).rank);
+  }
+  return node;
 }
 
 template <int dim>
@@ -90,9 +124,18 @@ typename CriticalStep<dim>::Answer CriticalStep<dim>::estimate(const Groups &gro
     for (int i = 0; i < dim; ++i)
       for (std::size_t a = 0; a < nodes.size(); ++a)
       {
+        if (!nodes.counts(a))
+          continue;
         k += motion_[i][a] * stiff_[i][a];
         c += motion_[i][a] * damp_[i][a];
       }
+    if (bonds.shared)
+    {
+      double both[] = {k, c};
+      bonds.shared->ranks().sum(std::span<double>(both));
+      k = both[0];
+      c = both[1];
+    }
     const double dt = 2 / (.5 * c + std::sqrt(.25 * c * c + std::max(k, 0.)));
     quiet           = std::abs(dt - answer.dt) < tolerance * dt ? quiet + 1 : 0;
     answer.dt       = dt;
@@ -103,18 +146,7 @@ typename CriticalStep<dim>::Answer CriticalStep<dim>::estimate(const Groups &gro
           nodes.mass[a] > 0 ? (.5 * dt * damp_[i][a] + .25 * dt * dt * stiff_[i][a]) / nodes.mass[a] : 0;
     scale(nodes, bonds);
   }
-  double largest = -1;
-  for (std::size_t a = 0; a < nodes.size(); ++a)
-  {
-    double size = 0;
-    for (int i = 0; i < dim; ++i)
-      size += motion_[i][a] * motion_[i][a];
-    if (size > largest)
-    {
-      largest     = size;
-      answer.node = static_cast<std::uint32_t>(a);
-    }
-  }
+  answer.node = fastest(nodes, bonds);
   return answer;
 }
 

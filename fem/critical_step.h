@@ -28,6 +28,7 @@ public:
   {
     const PrescribedMotion<dim> &held;
     const Constraints<dim>      &constraints;
+    const SharedNodes           *shared = nullptr; ///< on ranks, which all take part
   };
 
   /// A motion with no symmetry, the same in every run.
@@ -52,6 +53,8 @@ public:
 
 private:
   using Field = std::array<AlignedVector<double>, dim>;
+  static double sum(const Bonds &bonds, double own) { return bonds.shared ? bonds.shared->ranks().sum(own) : own; }
+  std::uint32_t fastest(const Nodes<dim> &, const Bonds &) const;
   void apply(const Groups &, const Nodes<dim> &, const Bonds &);
   void scale(const Nodes<dim> &, const Bonds &);
 

@@ -10,6 +10,7 @@
 #include "core/time/time_step.h"
 #include "fem/mesh.h"
 #include "fem/nodes.h"
+#include "fem/shared_nodes.h"
 
 #include <functional>
 #include <memory>
@@ -33,6 +34,8 @@ struct GroupPlace
   std::size_t first_node    = 0; ///< of the body, among the solver's nodes
   std::size_t first_element = 0; ///< global id of the group's first element
   std::size_t grave         = 0; ///< first of 2^dim nodes where the dead of an eroding body rest
+  /// On ranks, which have a part of the body each, or nothing of it; else none.
+  const SharedNodes *shared = nullptr;
 };
 
 /// The elements of one body in one formulation, with their history. One virtual
@@ -80,7 +83,12 @@ public:
 
   virtual void add_energies(Balance &) const                   = 0;
   virtual void sample(const Nodes<dim> &, Sample &) const      = 0;
+  /// Arrays called nodal_.. or weak_acceleration_.. have an entry for each node of
+  /// the body, "limit" is 2/dt and the element that sets it, all others have a
+  /// fixed number of entries an element, in packs.
   virtual void for_each_state(const Visitor &)                 = 0;
+  /// Cost of a step of an element, in points of one-point elements: counted, not timed.
+  virtual double work(std::size_t) const { return 1; }
 
   /// What leaves with an element: lumped mass at its corners, kg; J of energy:
   /// internal (with what bulk viscosity heated), in hourglass patterns.

@@ -144,26 +144,77 @@ bool Erosion<dim>::kill_failed(const Groups &groups, Nodes<dim> &nodes)
 }
 
 template <int dim>
-auto Erosion<dim>::take_out(ElementGroup<dim> &group, std::size_t e, Nodes<dim> &nodes) ->
-  typename ElementGroup<dim>::Remains
+void Erosion<dim>::release(const std::array<std::uint32_t, ElementGroup<dim>::corners> &corner, Nodes<dim> &nodes,
+                           std::array<double, ElementGroup<dim>::corners> &mass)
 {
-  const auto corner = group.nodes(e);
-  auto       gone   = group.kill(e);
   for (int a = 0; a < ElementGroup<dim>::corners; ++a)
-    gone.mass[a] = release(nodes, corner[a], gone.mass[a]);
+    mass[a] = release(nodes, corner[a], mass[a]);
   gone_[converted] += 1;
-  return gone;
 }
 
 template <int dim>
-void Erosion<dim>::review(const Groups &groups, Surface<dim> &face)
+void Erosion<dim>::find_failed(const Groups &groups, std::vector<std::vector<std::size_t>> &failed) const
 {
-  std::vector<std::vector<bool>> alive(groups.size());
+  failed.resize(groups.size());
   for (std::size_t g = 0; g < groups.size(); ++g)
   {
-    alive[g].resize(groups[g]->cells());
-    for (std::size_t e = 0; e < groups[g]->cells(); ++e)
-      alive[g][e] = groups[g]->alive(e);
+    failed[g].clear();
+    if (when_[g].on)
+      groups[g]->find_failed(when_[g], failed[g]);
+  }
+}
+
+template <int dim>
+auto Erosion<dim>::kill(const Groups &groups, const std::vector<std::vector<std::size_t>> &failed,
+                        const Nodes<dim> &nodes) const -> std::vector<Death>
+{
+  std::vector<Death> deaths;
+  for (std::size_t g = 0; g < groups.size(); ++g)
+    for (const std::size_t e : failed[g])
+    {
+      Death d;
+      d.group         = g;
+      d.cell          = e;
+      d.node          = groups[g]->nodes(e);
+      const auto gone = groups[g]->kill(e);
+      d.mass          = gone.mass;
+      d.energy        = gone.internal_energy + gone.hourglass_energy;
+      for (int a = 0; a < Death::corners; ++a)
+        for (int i = 0; i < dim; ++i)
+        {
+          d.x[a][i] = nodes.x[i][d.node[a]];
+          d.v[a][i] = nodes.v[i][d.node[a]];
+        }
+      deaths.push_back(d);
+    }
+  return deaths;
+}
+
+template <int dim>
+void Erosion<dim>::book(const Death &d, Nodes<dim> &nodes)
+{
+  for (int a = 0; a < Death::corners; ++a)
+  {
+    for (int i = 0; i < dim; ++i) // as the owner knows them
+    {
+      nodes.x[i][d.node[a]] = d.x[a][i];
+      nodes.v[i][d.node[a]] = d.v[a][i];
+    }
+    take(nodes, d.node[a], d.mass[a]);
+  }
+  gone_[energy] += d.energy;
+  gone_[number] += 1;
+}
+
+template <int dim>
+void Erosion<dim>::review(const AllElements<dim> &all, Surface<dim> &face)
+{
+  std::vector<std::vector<bool>> alive(all.bodies());
+  for (std::size_t g = 0; g < all.bodies(); ++g)
+  {
+    alive[g].resize(all.cells(g));
+    for (std::size_t e = 0; e < all.cells(g); ++e)
+      alive[g][e] = all.alive(g, e);
   }
   const auto lives = [&](std::int64_t element) {
     std::size_t g = first_element_.size() - 1;
@@ -186,10 +237,10 @@ void Erosion<dim>::review(const Groups &groups, Surface<dim> &face)
   face.topology       = 1 + static_cast<std::uint64_t>(gone_[number] + gone_[converted]);
 
   living_.assign(face.n, 0);
-  for (std::size_t g = 0; g < groups.size(); ++g)
-    for (std::size_t e = 0; e < groups[g]->cells(); ++e)
+  for (std::size_t g = 0; g < all.bodies(); ++g)
+    for (std::size_t e = 0; e < all.cells(g); ++e)
       if (alive[g][e])
-        for (const std::uint32_t a : groups[g]->nodes(e))
+        for (const std::uint32_t a : all.nodes(g, e))
           ++living_[a];
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/surface.h"
+#include "fem/all_elements.h"
 #include "fem/element_group.h"
 #include "fem/mesh.h"
 #include "fem/nodes.h"
@@ -31,13 +32,29 @@ public:
   bool any() const { return any_; }
   /// Kills what has failed. True if anything died.
   bool kill_failed(const Groups &, Nodes<dim> &);
-  /// Takes out an element that turns into particles, with what the caller has to
-  /// place: masses as they left the nodes. ElementGroup::sum_forces and review()
-  /// are due after the last one.
-  typename ElementGroup<dim>::Remains take_out(ElementGroup<dim> &, std::size_t e, Nodes<dim> &);
+  /// One that died on a rank: what the others must know of it.
+  struct Death
+  {
+    static constexpr int corners = ElementGroup<dim>::corners;
+    std::size_t                        group = 0, cell = 0; ///< of the whole body
+    std::array<std::uint32_t, corners> node{};
+    std::array<double, corners>        mass{}; ///< kg
+    std::array<std::array<double, dim>, corners> x{}, v{};
+    double                             energy = 0; ///< J
+  };
+  /// Own elements that must die, by groups.
+  void find_failed(const Groups &, std::vector<std::vector<std::size_t>> &) const;
+  /// Kills those of this rank; then all ranks book the deaths of all in the same order.
+  std::vector<Death> kill(const Groups &, const std::vector<std::vector<std::size_t>> &, const Nodes<dim> &) const;
+  void               book(const Death &, Nodes<dim> &);
+  /// Masses that leave the nodes with an element that turned into particles, its own
+  /// in `mass` before. ElementGroup::sum_forces and review() are due after the last one.
+  void release(const std::array<std::uint32_t, ElementGroup<dim>::corners> &, Nodes<dim> &,
+               std::array<double, ElementGroup<dim>::corners> &mass);
+
   std::size_t converted_elements() const { return static_cast<std::size_t>(gone_[converted]); }
   /// After the state has changed: who lives, and the facets of the living.
-  void review(const Groups &, Surface<dim> &face);
+  void review(const AllElements<dim> &, Surface<dim> &face);
 
   void add(Balance &) const;
   /// Mass, energy, number, momentum and angular momentum of the dead; how many

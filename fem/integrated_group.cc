@@ -33,7 +33,7 @@ IntegratedGroup<Element>::IntegratedGroup(const BodyMesh<dim> &mesh, const Group
   , bulk_(bulk_viscosity(options))
   , shear_modulus_(mesh.material->shear_modulus())
 {
-  require(n_ > 0, "a body without elements");
+  require(n_ > 0 || place.shared, "a body without elements");
   if constexpr (Element::collocated)
     line_ = line_eigenvalue(Element::degree);
   node_.resize(padded_n_ * nodes_of);

@@ -40,6 +40,7 @@ public:
   void       add_energies(Balance &) const override;
   void       sample(const Nodes<dim> &, Sample &) const override;
   void       for_each_state(const Visitor &) override;
+  double     work(std::size_t) const override { return points_of; }
   void       copy_state(std::size_t cell, materials::Points &to, std::size_t k) const override;
 
 private:

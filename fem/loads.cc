@@ -41,8 +41,11 @@ void Loads<dim>::gather(const Nodes<dim> &nodes, const Constraints<dim> &constra
 {
   for (auto &component : force)
     std::fill(component.begin(), component.end(), 0.);
+  const auto feels = [&nodes](std::uint32_t a) { return nodes.feels(a); };
   for (const Pressure &load : pressures_)
   {
+    if (std::none_of(load.facet.node.begin(), load.facet.node.end(), feels))
+      continue;
     const double pressure = load.pressure * history_[load.boundary].at(time);
     for_each_area_share<dim>(nodes, load.facet, axisymmetric_,
                              [&](int a, const auto &area)
@@ -55,7 +58,7 @@ void Loads<dim>::gather(const Nodes<dim> &nodes, const Constraints<dim> &constra
   {
     const double factor = history_[load.boundary].at(time);
     for (std::size_t a = load.first_node; a < load.last_node; ++a)
-      for (int i = 0; i < dim; ++i)
+      for (int i = 0; i < dim && nodes.feels(a); ++i)
         force[i][a] += constraints.own_mass(nodes, a) * factor * load.acceleration[i];
   }
 }

@@ -9,6 +9,12 @@
 
 namespace ogive::fem
 {
+/// Nodes [first, last).
+struct Run
+{
+  std::size_t first = 0, last = 0;
+};
+
 /// All nodes of the solver, body after body, SI.
 template <int dim>
 struct Nodes
@@ -20,6 +26,20 @@ struct Nodes
   AlignedVector<double>                  mass;
   std::vector<int>                       body; ///< index into the scene's bodies
   std::vector<std::int64_t>              id;
+
+  /// What a rank has to do with a node (fem/distribution.h); empty: all is its own.
+  enum Role : unsigned char
+  {
+    none  = 0,
+    felt  = 1, ///< its loads act on nodes of this rank
+    kept  = 3, ///< moved by this rank
+    owned = 7  ///< and counted by it
+  };
+  std::vector<unsigned char> role;
+
+  bool feels(std::size_t a) const { return role.empty() || role[a] != none; }
+  bool keeps(std::size_t a) const { return role.empty() || role[a] >= kept; }
+  bool counts(std::size_t a) const { return role.empty() || role[a] == owned; }
 
   std::size_t size() const { return mass.size(); }
 

@@ -106,6 +106,13 @@ VDouble OnePointGroup<Element>::correction_work(std::size_t pack, const Corners 
 template <class Element>
 void OnePointGroup<Element>::correct(const Nodes<dim> &nodes)
 {
+  if (shared_)
+  {
+    std::array<double *, dim> sums;
+    for (int i = 0; i < dim; ++i)
+      sums[i] = weak_force_[i].data();
+    shared_->sum(sums, first_node_, first_node_ + weak_force_[0].size());
+  }
   for (int i = 0; i < dim; ++i)
     for (std::size_t a = 0; a < weak_force_[i].size(); ++a) // a held component does not accelerate
       weak_acceleration_[i][a] =

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 /// One-point elements that leave the mesh: death, and before it turns into particles.
 namespace ogive::fem
@@ -16,11 +17,26 @@ void OnePointGroup<Element>::prepare_erosion(Nodes<dim> &nodes)
 {
   own_ = node_;
   alive_.assign(padded_n_, 1.);
-  // The grave has the shape of the heaviest element: it never sets the step.
-  model_ = std::max_element(mass_.begin(), mass_.begin() + n_) - mass_.begin();
+  // The grave has the shape of the heaviest element of all ranks: it never sets the step.
+  const std::size_t heaviest = std::max_element(mass_.begin(), mass_.begin() + n_) - mass_.begin();
+  if (n_ > 0)
+  {
+    model_.mass    = mass_[heaviest];
+    model_.inertia = inertia_.empty() ? 0. : inertia_[heaviest];
+    for (int a = 0; a < corners; ++a)
+    {
+      model_.corner_mass[a] = Element::hoop ? corner_mass_[slot(heaviest, a, corners)] : 0.;
+      for (int i = 0; i < dim; ++i)
+        model_.x[a][i] = nodes.x0[i][node_[slot(heaviest, a, corners)]];
+    }
+  }
+  if (shared_)
+    for (const auto all = shared_->ranks().gather_one(std::exchange(model_, Model{})); const Model &other : all)
+      if (other.mass > model_.mass) // of equals the first: the same everywhere
+        model_ = other;
   for (int a = 0; a < corners; ++a)
     for (int i = 0; i < dim; ++i)
-      nodes.x[i][grave_ + a] = nodes.x0[i][grave_ + a] = nodes.x0[i][node_[slot(model_, a, corners)]];
+      nodes.x[i][grave_ + a] = nodes.x0[i][grave_ + a] = model_.x[a][i];
 }
 
 template <class Element>
@@ -81,11 +97,11 @@ auto OnePointGroup<Element>::kill(std::size_t e) -> Remains
       corner_force_[slot(k, c, corners * dim)] = 0;
     for (int c = 0; c < modes * dim; ++c)
       Q_[slot(k, c, modes * dim)] = 0;
-    mass_[k] = mass_[model_];
+    mass_[k] = model_.mass;
     if (!inertia_.empty())
-      inertia_[k] = inertia_[model_];
+      inertia_[k] = model_.inertia;
     for (int a = 0; Element::hoop && a < corners; ++a)
-      corner_mass_[slot(k, a, corners)] = corner_mass_[slot(model_, a, corners)];
+      corner_mass_[slot(k, a, corners)] = model_.corner_mass[a];
     bury(k);
   }
   return gone;

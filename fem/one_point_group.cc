@@ -181,7 +181,14 @@ void OnePointGroup<Element>::fetch(std::size_t begin, std::size_t count)
 template <class Element>
 StepStatus OnePointGroup<Element>::advance(const Nodes<dim> &nodes, const TimeStep &step)
 {
-  return corrected_ ? take<true>(nodes, step) : take<false>(nodes, step);
+  const StepStatus status = corrected_ ? take<true>(nodes, step) : take<false>(nodes, step);
+  if (!agreed(status.ok))
+    return status;
+  if constexpr (area_weighted)
+    weigh(nodes);
+  if (corrected_)
+    correct(nodes);
+  return {};
 }
 
 template <class Element>
@@ -222,10 +229,6 @@ StepStatus OnePointGroup<Element>::take(const Nodes<dim> &nodes, const TimeStep 
     if constexpr (!area_weighted)
       scatter(begin, count);
   }
-  if constexpr (area_weighted)
-    weigh(nodes);
-  if constexpr (corrected)
-    correct(nodes);
   return {};
 }
 

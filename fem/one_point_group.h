@@ -94,6 +94,11 @@ private:
   void start(const Nodes<dim> &);
   void scale_mass(std::size_t pack, VDouble damping, VDouble frequency2);
   void fetch(std::size_t begin, std::size_t count);
+  /// Whether the elements of all ranks are well, where sums over these follow.
+  bool agreed(bool ok) const
+  {
+    return shared_ && (area_weighted || corrected_) ? shared_->ranks().all(ok) : ok;
+  }
   /// Points the corners of e to its own nodes or to the grave.
   void bury(std::size_t e);
 
@@ -113,6 +118,7 @@ private:
 
   int                                        body_;
   std::size_t                                n_, padded_n_, first_element_, first_node_;
+  const SharedNodes                         *shared_;
   std::shared_ptr<const materials::Material> material_;
   input::FemOptions                          options_;
   AnyBulkViscosity                           bulk_;
@@ -147,7 +153,14 @@ private:
 
   // A dead element is a virgin one that rests at nodes of its own: the loops
   // over packs need no branch and no mask.
-  std::size_t                grave_, model_ = 0; ///< its first node; the element whose shape it has
+  std::size_t                grave_;   ///< its first node
+  struct Model                         ///< the element whose shape it has
+  {
+    double mass = -1, inertia = 0;     ///< kg
+    double corner_mass[corners] = {};  ///< kg, axial symmetry only
+    double x[corners][dim]      = {};  ///< m
+  };
+  Model                      model_;
   bool                       by_step_; ///< elements may leave by their bound of the step
   std::vector<std::uint32_t> own_;     ///< node_ while all live; empty where none can die
   AlignedVector<double>      alive_;   ///< 1 or 0, empty where none can die

@@ -19,6 +19,7 @@ OnePointGroup<Element>::OnePointGroup(const BodyMesh<dim> &mesh, const GroupPlac
   , padded_n_(padded(n_))
   , first_element_(place.first_element)
   , first_node_(place.first_node)
+  , shared_(place.shared)
   , material_(mesh.material)
   , options_(options)
   , bulk_(bulk_viscosity(options))
@@ -32,7 +33,7 @@ OnePointGroup<Element>::OnePointGroup(const BodyMesh<dim> &mesh, const GroupPlac
   , grave_(place.grave)
   , by_step_((mesh.erosion.on && mesh.erosion.step > 0) || (mesh.converts && mesh.conversion.step > 0))
 {
-  require(n_ > 0, "a body without elements");
+  require(n_ > 0 || shared_, "a body without elements");
   node_.resize(padded_n_ * corners);
   for (auto *a : {&mass_, &viscous_pressure_, &half_hourglass_, &half_viscous_, &half_power_,
                   &hourglass_energy_, &viscous_heat_})

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ogive::fem
 {
@@ -22,8 +23,41 @@ Solver<dim>::~Solver() = default;
 template <int dim>
 void Solver<dim>::Implementation::build(std::vector<BodyMesh<dim>> meshes)
 {
+  place_bodies(meshes);
+  if (!distribution.alone())
+    share_out();
+  for (std::size_t b = 0; b < meshes.size(); ++b)
+    start_body(meshes[b], b);
+  const std::size_t n_nodes = parts.empty() ? 0 : parts.back().last_node;
+  for (std::size_t a = 0; a < n_nodes; ++a)
+    if (!(nodes.mass[a] > 0))
+      throw InputError("node " + std::to_string(a) + " of the mesh belongs to no element");
   std::vector<std::size_t> first_node;
-  std::vector<GroupPlace>  place;
+  for (const Part &part : parts)
+    first_node.push_back(part.first_node);
+  constraints.fold_mass(nodes);
+  prescribed = PrescribedMotion<dim>(parameters, meshes, first_node, constraints);
+  prescribed.start(nodes);
+  constraints.follow(nodes);
+  loads     = Loads<dim>(parameters, meshes, first_node, constraints);
+  absorbing = AbsorbingFaces<dim>(parameters, meshes, first_node, constraints);
+  erosion   = Erosion<dim>(meshes, places, parameters.axisymmetric);
+  face.n    = nodes.size();
+  review_erosion();
+  walls    = RigidWalls<dim>(parameters, wall_nodes(meshes));
+  critical = CriticalStep<dim>(nodes.size());
+  for (int i = 0; i < dim; ++i)
+    for (std::size_t a = 0; a < n_nodes; ++a)
+      nodes.held[i][a] = prescribed.prescribed(a, i);
+  if (parameters.options.step_bound == "power-iteration")
+    sharpening[0] = std::max(1., find_critical(1e-6, 5000).dt / element_limit().dt);
+}
+
+/// Numbers bodies, nodes and elements, and puts the nodes in their places.
+template <int dim>
+void Solver<dim>::Implementation::place_bodies(std::vector<BodyMesh<dim>> &meshes)
+{
+  std::vector<std::size_t> first_node;
   std::size_t              n_nodes = 0, n_elements = 0;
   for (const auto &mesh : meshes)
   {
@@ -33,11 +67,13 @@ void Solver<dim>::Implementation::build(std::vector<BodyMesh<dim>> meshes)
     n_nodes += mesh.n_nodes();
     n_elements += mesh.n_cells();
   }
-  constraints = Constraints<dim>(parameters, meshes, first_node);
+  constraints  = Constraints<dim>(parameters, meshes, first_node);
+  distribution = Distribution<dim>(parameters.ranks, meshes, first_node);
   std::size_t n_all = n_nodes; // with the graves of eroding bodies
   for (std::size_t b = 0; b < meshes.size(); ++b)
   {
-    place.push_back({first_node[b], parts[b].first_element, n_all});
+    places.push_back(
+      {first_node[b], parts[b].first_element, n_all, distribution.alone() ? nullptr : &distribution.shared()});
     n_all += meshes[b].loses_elements() ? ElementGroup<dim>::corners : 0;
   }
   nodes.resize(n_all);
@@ -48,51 +84,37 @@ void Solver<dim>::Implementation::build(std::vector<BodyMesh<dim>> meshes)
     load[i].resize(n_all, 0.);
   }
   for (std::size_t b = 0; b < meshes.size(); ++b)
-  {
-    const auto &mesh = meshes[b];
-    for (std::size_t a = 0; a < mesh.n_nodes(); ++a)
+    for (std::size_t a = 0; a < meshes[b].n_nodes(); ++a)
     {
       const std::size_t node = first_node[b] + a;
-      nodes.body[node]       = mesh.body;
+      nodes.body[node]       = meshes[b].body;
       nodes.id[node]         = static_cast<std::int64_t>(node);
       for (int i = 0; i < dim; ++i)
       {
-        nodes.x0[i][node] = nodes.x[i][node] = mesh.x[i][a];
-        nodes.v[i][node]                     = mesh.v[i].at(a);
+        nodes.x0[i][node] = nodes.x[i][node] = meshes[b].x[i][a];
+        nodes.v[i][node]                     = meshes[b].v[i].at(a);
       }
     }
-    groups.push_back(make_element_group<dim>(mesh, place[b], parameters.options));
-    groups.back()->initialise(nodes);
-    groups.back()->lump_mass(nodes);
-    if (const double added = groups.back()->added_mass(); added > 0)
-    {
-      double mass = 0;
-      for (std::size_t a = parts[b].first_node; a < parts[b].last_node; ++a)
-        mass += nodes.mass[a];
-      added_masses.push_back({mesh.body, added, added / (mass - added)});
-    }
-    if (mesh.loses_elements())
-      groups.back()->prepare_erosion(nodes);
+}
+
+/// The elements of a body and the masses of its nodes.
+template <int dim>
+void Solver<dim>::Implementation::start_body(const BodyMesh<dim> &mesh, std::size_t b)
+{
+  groups.push_back(make_element_group<dim>(distribution.alone() ? mesh : distribution.own_mesh(b), places[b],
+                                           parameters.options));
+  groups.back()->initialise(nodes);
+  groups.back()->lump_mass(nodes);
+  add_up(parts[b].first_node, parts[b].last_node);
+  if (const double added = sum(groups.back()->added_mass()); added > 0)
+  {
+    double mass = 0;
+    for (std::size_t a = parts[b].first_node; a < parts[b].last_node; ++a)
+      mass += nodes.mass[a];
+    added_masses.push_back({mesh.body, added, added / (mass - added)});
   }
-  for (std::size_t a = 0; a < n_nodes; ++a)
-    if (!(nodes.mass[a] > 0))
-      throw InputError("node " + std::to_string(a) + " of the mesh belongs to no element");
-  constraints.fold_mass(nodes);
-  prescribed = PrescribedMotion<dim>(parameters, meshes, first_node, constraints);
-  prescribed.start(nodes);
-  constraints.follow(nodes);
-  loads     = Loads<dim>(parameters, meshes, first_node, constraints);
-  absorbing = AbsorbingFaces<dim>(parameters, meshes, first_node, constraints);
-  erosion   = Erosion<dim>(meshes, place, parameters.axisymmetric);
-  face.n    = nodes.size();
-  review_erosion();
-  walls    = RigidWalls<dim>(parameters, wall_nodes(meshes));
-  critical = CriticalStep<dim>(nodes.size());
-  for (int i = 0; i < dim; ++i)
-    for (std::size_t a = 0; a < n_nodes; ++a)
-      nodes.held[i][a] = prescribed.prescribed(a, i);
-  if (parameters.options.step_bound == "power-iteration")
-    sharpening[0] = std::max(1., find_critical(1e-6, 5000).dt / element_limit().dt);
+  if (mesh.loses_elements())
+    groups.back()->prepare_erosion(nodes);
 }
 
 // Nodes of bodies that lose elements may come to the surface.
@@ -115,7 +137,37 @@ Solver<dim>::Implementation::wall_nodes(const std::vector<BodyMesh<dim>> &meshes
 template <int dim>
 void Solver<dim>::Implementation::review_erosion()
 {
-  erosion.review(groups, face);
+  erosion.review(all(), face);
+  find_shown();
+}
+
+template <int dim>
+void Solver<dim>::Implementation::find_shown()
+{
+  if (distribution.alone())
+    return;
+  std::vector<bool> seen(nodes.size(), false);
+  for (const auto &[name, asked] : followed)
+    for (const std::uint32_t a : asked)
+      seen[a] = true;
+  for (const auto &facet : face.facets) // the whole elements: others may ride in them
+  {
+    const auto at = find(facet.element);
+    for (const std::uint32_t a : distribution.nodes(at.group, at.element))
+      seen[a] = true;
+  }
+  std::vector<std::uint32_t> at_surface;
+  for (std::uint32_t a = 0; a < seen.size(); ++a)
+    if (seen[a])
+      at_surface.push_back(a);
+  shown = distribution.list(at_surface);
+}
+
+template <int dim>
+void Solver<dim>::follow(const std::string &who, std::span<const std::uint32_t> nodes)
+{
+  self_->followed[who].assign(nodes.begin(), nodes.end());
+  self_->find_shown();
 }
 
 template <int dim>
@@ -124,13 +176,13 @@ StepLimit Solver<dim>::Implementation::element_limit() const
   StepLimit limit;
   for (const auto &group : groups)
     limit.tighten(group->stable_dt());
-  if (limit.culprit.id >= 0)
+  if (limit.culprit.id >= 0 && limit.dt < std::numeric_limits<double>::infinity())
     for (std::size_t g = 0; g < groups.size(); ++g)
       if (groups[g]->body() == limit.culprit.body)
         for (const std::uint32_t node : groups[g]->nodes(limit.culprit.id - parts[g].first_element))
           for (int i = 0; i < dim; ++i)
             limit.culprit.where[i] += nodes.x[i][node] / ElementGroup<dim>::corners;
-  return limit;
+  return agree(limit);
 }
 
 template <int dim>
@@ -150,7 +202,8 @@ typename CriticalStep<dim>::Answer Solver<dim>::Implementation::find_critical(do
   typename CriticalStep<dim>::Groups all;
   for (const auto &group : groups)
     all.push_back(group.get());
-  return critical.estimate(all, nodes, {prescribed, constraints}, tolerance, most);
+  return critical.estimate(all, nodes, {prescribed, constraints, distribution.alone() ? nullptr : &distribution.shared()},
+                           tolerance, most);
 }
 
 template <int dim>
@@ -186,8 +239,7 @@ StepStatus Solver<dim>::step(const TimeStep &step)
 {
   self_->kick(step);
   self_->place(step, step);
-  const StepStatus status = self_->advance_elements(step);
-  return status.ok ? self_->review() : status;
+  return self_->conclude(self_->advance_elements(step));
 }
 
 /// From kicked nodes to v_{n+1/2} and positions at the end of the first part.
@@ -201,19 +253,24 @@ void Solver<dim>::Implementation::place(const TimeStep &whole, const TimeStep &p
   drift(part.drift);
   absorbing.book(nodes, work);
   book_loads(whole.kick);
+  show();
 }
 
 template <int dim>
 StepStatus Solver<dim>::Implementation::advance_elements(const TimeStep &step)
 {
+  StepStatus first;
   for (auto &group : groups)
   {
     const StepStatus status = group->advance(nodes, step);
-    if (!status.ok)
+    if (!status.ok && distribution.alone())
       return status;
+    if (!status.ok && first.ok) // other ranks wait for the rest of the step
+      first = status;
     updates += group->size();
   }
-  return {};
+  complete_forces();
+  return first;
 }
 
 /// Who died, how long the next step may be, and whether all is sound.
@@ -234,21 +291,24 @@ void Solver<dim>::Implementation::kick(const TimeStep &step)
     loads.gather(nodes, constraints, step.time, load);
   fold_forces();
   for (std::size_t g = 0; g < groups.size(); ++g)
-  {
-    const std::size_t first = parts[g].first_node, n = parts[g].last_node - first;
-    const double     *mass = &nodes.mass[first];
     for (int i = 0; i < dim; ++i)
     {
-      const double *element = groups[g]->nodal_forces(i).data(), *press = &load[i][first];
-      double       *v = &nodes.v[i][first], *old = &v_old[i][first], *force = &nodes.force[i][first];
-      for (std::size_t a = 0; a < n; ++a)
-      {
-        old[a] = v[a];
-        v[a] += (mass[a] > 0 ? step.kick / mass[a] : 0.) * (element[a] + force[a] + press[a]); // no elements: none
-        force[a] = 0;
-      }
+      const double *elements = element_forces(g, i);
+      for_each_run(g, [&](std::size_t first, std::size_t last) {
+        const std::size_t n    = last - first;
+        const double     *mass = &nodes.mass[first];
+        const double     *element = elements + (first - parts[g].first_node), *press = &load[i][first];
+        double           *v = &nodes.v[i][first], *old = &v_old[i][first], *force = &nodes.force[i][first];
+        for (std::size_t a = 0; a < n; ++a)
+        {
+          old[a] = v[a];
+          v[a] += (mass[a] > 0 ? step.kick / mass[a] : 0.) * (element[a] + force[a] + press[a]); // no elements: none
+          force[a] = 0;
+        }
+      });
     }
-  }
+  for (int i = 0; i < dim && !distribution.alone(); ++i) // those of other ranks' nodes
+    std::fill(nodes.force[i].begin(), nodes.force[i].end(), 0.);
 }
 
 template <int dim>
@@ -259,7 +319,7 @@ void Solver<dim>::Implementation::fold_forces()
     while (slave >= parts[g].last_node)
       ++g;
     for (int i = 0; i < dim; ++i)
-      f[i] = groups[g]->nodal_forces(i)[slave - parts[g].first_node] + nodes.force[i][slave] + load[i][slave];
+      f[i] = element_forces(g, i)[slave - parts[g].first_node] + nodes.force[i][slave] + load[i][slave];
   });
 }
 
@@ -270,11 +330,13 @@ void Solver<dim>::Implementation::drift(double dt)
   {
     double       *x = nodes.x[i].data(), *mean = nodes.v_mean[i].data();
     const double *v = nodes.v[i].data(), *old = v_old[i].data();
-    for (std::size_t a = 0; a < nodes.size(); ++a)
-    {
-      mean[a] = .5 * (v[a] + old[a]);
-      x[a] += dt * v[a];
-    }
+    for_each_run([=](std::size_t first, std::size_t last) {
+      for (std::size_t a = first; a < last; ++a)
+      {
+        mean[a] = .5 * (v[a] + old[a]);
+        x[a] += dt * v[a];
+      }
+    });
   }
 }
 
@@ -285,6 +347,8 @@ void Solver<dim>::Implementation::book_loads(double kick)
     for (int i = 0; i < dim; ++i)
       for (std::size_t a = 0; a < nodes.size(); ++a)
       {
+        if (!nodes.counts(a))
+          continue;
         work.external += kick * load[i][a] * nodes.v_mean[i][a];
         work.impulse[i] += kick * load[i][a];
       }
@@ -295,8 +359,10 @@ StepStatus Solver<dim>::Implementation::check_nodes() const
 {
   double sum = 0; // one NaN or infinity among the velocities shows in the sum of 0 v
   for (int i = 0; i < dim; ++i)
-    for (const double v : nodes.v[i])
-      sum += 0. * v;
+    for_each_run([&, v = nodes.v[i].data()](std::size_t first, std::size_t last) {
+      for (std::size_t a = first; a < last; ++a)
+        sum += 0. * v[a];
+    });
   if (sum == 0)
     return {};
   StepStatus status;

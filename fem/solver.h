@@ -8,6 +8,7 @@
 #include "core/input/scene.h"
 #include "core/io/archive.h"
 #include "core/materials/material.h"
+#include "core/parallel/ranks.h"
 #include "core/time/time_step.h"
 #include "fem/departure.h"
 
@@ -50,10 +51,18 @@ struct Parameters
   std::vector<input::Boundary>      boundaries;
   std::vector<int>                  boundary_bodies; ///< Scene::bodies index of each boundary
   std::vector<Tie>                  ties{};
+  Ranks                             ranks{};    ///< that share the elements
+  input::ParallelOptions            parallel{}; ///< how they do
 };
 
 /// Explicit finite elements: lumped mass, central differences, one-point
 /// elements with Flanagan-Belytschko hourglass control.
+///
+/// On several ranks all functions are called by all of them alike and answer alike,
+/// but updates() and share(), which tell of this rank. A rank has the history of its
+/// own elements; of nodes it knows those of its own elements and, after each step,
+/// x and v of those of all elements at the surface. Forces that the coupling layer
+/// writes must be the same on all ranks.
 template <int dim>
 class Solver
 {
@@ -96,6 +105,25 @@ public:
   };
   std::vector<AddedMass> added_masses() const;
 
+  /// Makes x and v of these nodes known on all ranks after each step from now on,
+  /// with those of the elements at the surface; replaces what `who` asked for before.
+  void follow(const std::string &who, std::span<const std::uint32_t> nodes);
+  /// Makes x and v of all nodes known on all ranks.
+  void refresh_all();
+  /// What this rank has of the elements.
+  struct Share
+  {
+    std::size_t elements   = 0;
+    double      work       = 0; ///< of a step, in points of one-point elements
+    std::size_t nodes      = 0; ///< kept up here
+    std::size_t shared     = 0; ///< of these, on other ranks too
+    std::size_t given      = 0; ///< sums of these told to others in a step, each to each
+    std::size_t neighbours = 0;
+    std::size_t shown      = 0; ///< nodes at the surface that all ranks know of
+    std::size_t moves      = 0; ///< how often elements were shared anew
+  };
+  Share share() const;
+
   /// The inertia of a tied particle joins the nodes that carry it. Once, before the first step.
   void add_mass(std::uint32_t node, double mass);
   /// Nodes of the element behind a facet, for the tied interface: shape
@@ -122,6 +150,8 @@ public:
   void copy_state(std::uint32_t element, materials::Points &, std::size_t k) const;
   /// The same with the stress of damp(): what an element presses its neighbours with.
   void copy_pressing_state(std::uint32_t element, materials::Points &, std::size_t k) const;
+  /// The same of several elements, of `elements[k]` into entry k: one exchange of the ranks.
+  void gather_pressing_states(std::span<const std::uint32_t> elements, materials::Points &) const;
   /// Viscous stress `share` (L/c) C : D in these elements of a body (numerics: the
   /// damping of stiffness at a seam), in none of its others.
   void damp(int body, std::span<const std::uint32_t> elements, double share);
@@ -141,6 +171,7 @@ public:
   std::vector<double> conversion_measures(int body, const input::Conversion &) const;
   bool                alive(std::uint32_t element) const;
   Departure<dim>      look(std::uint32_t element) const; ///< what would leave
+  std::vector<Departure<dim>> look(std::span<const std::uint32_t> elements) const; ///< in one exchange
   /// Takes elements out between two steps, with the mass, momentum and energy
   /// that are returned. Nodes keep their velocities.
   std::vector<Departure<dim>> take_out(std::span<const std::uint32_t> elements);

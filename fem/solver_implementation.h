@@ -2,10 +2,13 @@
 #pragma once
 
 #include "fem/absorbing.h"
+#include "fem/all_elements.h"
 #include "fem/boundary.h"
 #include "fem/constraints.h"
 #include "fem/critical_step.h"
+#include "fem/distribution.h"
 #include "fem/element_group.h"
+#include "fem/element_store.h"
 #include "fem/erosion.h"
 #include "fem/loads.h"
 #include "fem/nodes.h"
@@ -51,15 +54,111 @@ struct Solver<dim>::Implementation
   std::map<std::uint32_t, double>                 mass_factor;      ///< over their own, of nodes that carry others
   double                                          least_factor = 1; ///< of these, or 1
 
+  // On ranks (solver_ranks.cc)
+  /// What the coupling layer asked of a body's elements: again due where groups are built anew.
+  struct Order
+  {
+    int                        body = -1;
+    std::vector<std::uint32_t> elements;
+    std::vector<double>        shares;
+  };
+  Distribution<dim>                      distribution;
+  std::vector<GroupPlace>                places; ///< beside groups
+  typename Distribution<dim>::NodeList   shown;  ///< nodes that all ranks know of
+  std::map<std::string, std::vector<std::uint32_t>> followed; ///< some of them, by who asks
+  std::array<AlignedVector<double>, dim> total;  ///< N: of the elements of all ranks at t_n, slaves' with their masters
+  std::vector<Order>                     weighed, damped;
+  std::vector<int>                       mark_owners; ///< ranks of elements at the snapshot
+  AlignedVector<double>                  age{0.};     ///< steps since the shares were looked at
+  std::size_t                            moves = 0;
+
+  AllElements<dim> all() const { return {groups, distribution}; }
+  /// Component i of the forces of the elements at the nodes of body g, N.
+  const double *element_forces(std::size_t g, int i) const
+  {
+    return distribution.alone() ? groups[g]->nodal_forces(i).data() : total[i].data() + parts[g].first_node;
+  }
+  /// Calls f(first, last) for runs of nodes that this rank keeps up.
+  template <class F>
+  void for_each_run(F &&f) const
+  {
+    if (distribution.alone())
+      return f(std::size_t(0), nodes.size());
+    for (std::size_t g = 0; g < parts.size(); ++g)
+      for (const Run &run : distribution.runs(g))
+        f(run.first, run.last);
+  }
+  template <class F>
+  void for_each_run(std::size_t g, F &&f) const
+  {
+    if (distribution.alone())
+      return f(parts[g].first_node, parts[g].last_node);
+    for (const Run &run : distribution.runs(g))
+      f(run.first, run.last);
+  }
+
+  // solver_ranks.cc: nothing where this process is alone
+  std::vector<std::size_t> own_of(std::size_t g, std::span<const std::uint32_t> elements) const;
+  void              weigh_own(std::size_t g, std::span<const std::uint32_t> elements, std::span<const double> shares);
+  template <class F>
+  std::vector<Departure<dim>> departures(std::span<const std::uint32_t> elements, F &&remains_of) const;
+  using Corner = std::array<std::array<double, dim>, ElementGroup<dim>::corners>;
+  /// Notes motion that the owner of an element told.
+  void know(const std::array<std::uint32_t, ElementGroup<dim>::corners> &node, const Corner &x, const Corner &v)
+  {
+    for (std::size_t a = 0; a < node.size(); ++a)
+      for (int i = 0; i < dim; ++i)
+      {
+        nodes.x[i][node[a]] = x[a][i];
+        nodes.v[i][node[a]] = v[a][i];
+      }
+  }
+  void              share_out();
+  std::vector<int>  partition() const;
+  double            own_work() const;
+  std::vector<double> work_of_elements() const; ///< of all ranks
+  void              add_up(std::size_t first, std::size_t last);
+  void              rebuild_groups(std::span<const int> owners);
+  void              complete_forces();
+  void              complete_motion(); ///< x and v of all nodes on all ranks
+  void              fold_total();
+  void              show();
+  StepStatus        agree(const StepStatus &) const;
+  Culprit           numbered(Culprit) const;
+  StepLimit         agree(const StepLimit &) const;
+  StepStatus        conclude(const StepStatus &);
+  void              bury(const std::vector<std::vector<std::size_t>> &failed);
+  void              look_at_shares();
+  Balance           sum(const Balance &) const;
+  double            sum(double x) const { return distribution.ranks().sum(x); }
+
+  // shared_state.cc
+  std::vector<std::uint32_t> own_elements(std::size_t g) const;
+  std::vector<ElementStore>  layout();
+  std::vector<ElementStore>  take_state();
+  void                       give_state(const std::vector<ElementStore> &);
+  std::vector<ElementStore>  move_state(const std::vector<ElementStore> &, const std::vector<int> &from) const;
+  void                       complete_nodes();
+  void                       complete_nodes_of(std::size_t g, ElementStore &) const;
+  void                       move_elements(const std::vector<int> &owners);
+
+  // shared_checkpoint.cc
+  void                      save_shared(ArchiveWriter &, const std::string &prefix);
+  void                      load_shared(const ArchiveReader &, const std::string &prefix);
+  std::vector<ElementStore> read_stores(const ArchiveReader &, const std::string &prefix);
+
   /// An element among its group.
   struct Place
   {
     std::size_t group, element;
   };
   Place      find(std::uint32_t element) const;
+  void       place_bodies(std::vector<BodyMesh<dim>> &);
+  void       start_body(const BodyMesh<dim> &, std::size_t b);
   void       build(std::vector<BodyMesh<dim>>);
   std::vector<std::uint32_t> wall_nodes(const std::vector<BodyMesh<dim>> &) const;
   void       review_erosion();
+  void       find_shown();
   /// After state was taken back or read.
   void state_was_changed()
   {
@@ -67,8 +166,10 @@ struct Solver<dim>::Implementation
       return;
     for (auto &group : groups)
       group->rebury();
+    count_the_living();
     review_erosion();
   }
+  void       count_the_living(); ///< of all ranks
   void       spread(typename Substeps<dim>::Pushed &, const TimeStep &whole, const TimeStep &part);
   void       place(const TimeStep &whole, const TimeStep &part);
   void       add_owed(Balance &) const;
@@ -93,6 +194,10 @@ struct Solver<dim>::Implementation
       f(std::string("velocity_") + axis[i], nodes.v[i]);
       f(std::string("force_") + axis[i], nodes.force[i]);
     }
+    for (int i = 0; i < dim && !distribution.alone(); ++i)
+      f(std::string("element_force_") + axis[i], total[i]);
+    if (!distribution.alone())
+      f("age", age);
     f("mass", nodes.mass);
     if (parts_of_step.on())
     {

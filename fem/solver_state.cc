@@ -37,7 +37,7 @@ Balance Solver<dim>::balance() const
     group->add_energies(b);
   for (std::size_t a = 0; a < s.nodes.size(); ++a)
   {
-    if (s.constraints.is_slave(a)) // its mass is with its masters
+    if (s.constraints.is_slave(a) || !s.nodes.counts(a)) // a slave's mass is with its masters
       continue;
     const double m = s.nodes.mass[a];
     Vec3         x = Vec3::Zero(), v = Vec3::Zero();
@@ -57,7 +57,8 @@ Balance Solver<dim>::balance() const
     }
   }
   s.add_owed(b);
-  s.erosion.add(b);
+  if (s.distribution.ranks().first()) // all ranks book the dead alike
+    s.erosion.add(b);
   b.external_work = s.work.external;
   b.wall_loss     = s.work.wall_loss;
   b.friction_heat = s.work.friction;
@@ -65,7 +66,7 @@ Balance Solver<dim>::balance() const
   for (int i = 0; i < dim; ++i)
     if (!(s.parameters.axisymmetric && i == 0))
       b.external_impulse[i] = s.work.impulse[i];
-  return b;
+  return s.sum(b);
 }
 
 template <int dim>
@@ -78,6 +79,7 @@ void Solver<dim>::snapshot()
       s.mark.emplace_back();
     s.mark[k++] = a;
   });
+  s.mark_owners = s.distribution.owners();
 }
 
 template <int dim>
@@ -85,6 +87,8 @@ void Solver<dim>::restore()
 {
   auto &s = *self_;
   require(!s.mark.empty(), "restore without a snapshot");
+  if (!s.distribution.alone() && s.mark_owners != s.distribution.owners())
+    s.rebuild_groups(s.mark_owners);
   std::size_t k = 0;
   s.for_each_state([&](const std::string &, AlignedVector<double> &a) {
     // In place: spans of the surface stay valid.
@@ -98,6 +102,9 @@ template <int dim>
 void Solver<dim>::save(ArchiveWriter &archive, const std::string &prefix) const
 {
   auto &s = *self_;
+  archive.write(prefix + "/ranks", static_cast<std::int64_t>(s.distribution.ranks().size()));
+  if (!s.distribution.alone())
+    return s.save_shared(archive, prefix);
   s.for_each_state([&](const std::string &name, AlignedVector<double> &a) {
     archive.write(prefix + "/" + name, std::span<const double>(a.data(), a.size()));
   });
@@ -108,6 +115,8 @@ template <int dim>
 void Solver<dim>::load(const ArchiveReader &archive, const std::string &prefix)
 {
   auto &s = *self_;
+  if (!s.distribution.alone() || archive.integer(prefix + "/ranks") != 1)
+    return s.load_shared(archive, prefix);
   s.for_each_state([&](const std::string &name, AlignedVector<double> &a) {
     const std::vector<double> values = archive.doubles(prefix + "/" + name);
     if (values.size() != a.size())
@@ -119,92 +128,12 @@ void Solver<dim>::load(const ArchiveReader &archive, const std::string &prefix)
   s.state_was_changed();
 }
 
-namespace
-{
-template <class T>
-void keep(std::vector<T> &values, const std::vector<bool> &wanted)
-{
-  if (values.empty())
-    return;
-  const std::size_t each = values.size() / wanted.size();
-  std::size_t       kept = 0;
-  for (std::size_t k = 0; k < values.size(); ++k)
-    if (wanted[k / each])
-      values[kept++] = values[k];
-  values.resize(kept);
-}
-
-/// Takes dead elements out of a sample, and the nodes that have no others.
-template <int dim>
-void keep_the_living(const ElementGroup<dim> &group, Sample &sample)
-{
-  std::vector<bool> alive(group.size()), used(sample.mass.size(), false);
-  for (std::size_t e = 0; e < alive.size(); ++e)
-    alive[e] = group.alive(e);
-  keep(sample.cells, alive);
-  for (const std::uint32_t node : sample.cells)
-    used[node] = true;
-  std::vector<std::uint32_t> now(used.size());
-  for (std::size_t a = 0, n = 0; a < used.size(); ++a)
-    now[a] = used[a] ? static_cast<std::uint32_t>(n++) : 0;
-  for (std::uint32_t &node : sample.cells)
-    node = now[node];
-  for (int i = 0; i < 3; ++i)
-  {
-    for (auto *field : {&sample.x[i], &sample.x0[i], &sample.v[i]})
-      keep(*field, used);
-    keep(sample.centre[i], alive);
-    keep(sample.centre0[i], alive);
-  }
-  keep(sample.mass, used);
-  keep(sample.radius, used);
-  keep(sample.id, used);
-  for (auto &component : sample.sigma)
-    keep(component, alive);
-  for (auto *field : {&sample.density, &sample.energy, &sample.plastic_strain, &sample.damage, &sample.temperature,
-                      &sample.volume})
-    keep(*field, alive);
-}
-} // namespace
-
-template <int dim>
-Sample Solver<dim>::sample(int body) const
-{
-  const auto &s = *self_;
-  Sample      out;
-  for (std::size_t g = 0; g < s.groups.size(); ++g)
-  {
-    if (s.groups[g]->body() != body)
-      continue;
-    const std::size_t first = s.parts[g].first_node, last = s.parts[g].last_node;
-    out.is_mesh             = true;
-    for (int i = 0; i < 3; ++i)
-      if (i < dim)
-      {
-        out.x[i].assign(s.nodes.x[i].begin() + first, s.nodes.x[i].begin() + last);
-        out.x0[i].assign(s.nodes.x0[i].begin() + first, s.nodes.x0[i].begin() + last);
-        out.v[i].assign(s.nodes.v[i].begin() + first, s.nodes.v[i].begin() + last);
-      }
-      else
-        for (auto *field : {&out.x[i], &out.x0[i], &out.v[i]})
-          field->assign(last - first, 0.);
-    for (std::size_t a = first; a < last; ++a)
-      out.mass.push_back(s.constraints.own_mass(s.nodes, a));
-    out.radius.assign(last - first, 0.);
-    out.id.assign(s.nodes.id.begin() + first, s.nodes.id.begin() + last);
-    s.groups[g]->sample(s.nodes, out);
-    if (s.erosion.any())
-      keep_the_living(*s.groups[g], out);
-  }
-  return out;
-}
-
 template <int dim>
 std::size_t Solver<dim>::size() const
 {
   std::size_t n = 0;
-  for (const auto &group : self_->groups)
-    n += group->size();
+  for (std::size_t g = 0; g < self_->groups.size(); ++g)
+    n += self_->all().elements(g);
   return n;
 }
 
@@ -242,7 +171,7 @@ auto Solver<dim>::added_masses() const -> std::vector<AddedMass>
 template <int dim>
 double Solver<dim>::wall_force(std::size_t w) const
 {
-  return self_->walls.force(w);
+  return self_->sum(self_->walls.force(w));
 }
 
 template <int dim>
@@ -251,12 +180,12 @@ bool Solver<dim>::embed(std::uint32_t element, const std::array<double, dim> &po
 {
   const auto       &s = *self_;
   const auto [g, e]   = s.find(element);
-  out.node            = s.groups[g]->nodes(e);
+  out.node            = s.all().nodes(g, e);
   std::array<std::array<double, dim>, Embedding::n_nodes> x;
   for (int a = 0; a < Embedding::n_nodes; ++a)
     for (int i = 0; i < dim; ++i)
       x[a][i] = s.nodes.x[i][out.node[a]];
-  return weights_of_point<dim>(x, point, reach, out.weight);
+  return weights_of_point<dim>(x, point, reach, out.weight); // of an element at the surface: alike on all ranks
 }
 
 template <int dim>
@@ -265,61 +194,13 @@ auto Solver<dim>::cells(int body) const -> Cells
   const auto &s = *self_;
   Cells       all;
   for (std::size_t g = 0; g < s.groups.size(); ++g)
-    for (std::size_t e = 0; s.groups[g]->body() == body && e < s.groups[g]->cells(); ++e)
-      if (s.groups[g]->alive(e))
+    for (std::size_t e = 0; s.groups[g]->body() == body && e < s.all().cells(g); ++e)
+      if (s.all().alive(g, e))
       {
         all.element.push_back(static_cast<std::uint32_t>(s.parts[g].first_element + e));
-        all.node.push_back(s.groups[g]->nodes(e));
+        all.node.push_back(s.all().nodes(g, e));
       }
   return all;
-}
-
-template <int dim>
-void Solver<dim>::copy_state(std::uint32_t element, materials::Points &to, std::size_t k) const
-{
-  const auto [g, e] = self_->find(element);
-  self_->groups[g]->copy_state(e, to, k);
-}
-
-template <int dim>
-void Solver<dim>::copy_pressing_state(std::uint32_t element, materials::Points &to, std::size_t k) const
-{
-  copy_state(element, to, k);
-  const auto [g, e] = self_->find(element);
-  self_->groups[g]->add_damping_stress(e, to, k);
-}
-
-template <int dim>
-void Solver<dim>::damp(int body, std::span<const std::uint32_t> elements, double share)
-{
-  auto &s = *self_;
-  for (std::size_t g = 0; g < s.groups.size(); ++g)
-  {
-    if (s.groups[g]->body() != body)
-      continue;
-    std::vector<std::size_t> own;
-    for (const std::uint32_t e : elements)
-      own.push_back(e - s.parts[g].first_element);
-    s.groups[g]->damp(own, share);
-  }
-}
-
-template <int dim>
-void Solver<dim>::weigh(int body, std::span<const std::uint32_t> elements, std::span<const double> shares)
-{
-  auto &s = *self_;
-  if (!s.constraints.empty())
-    throw InputError({"", 0, "Interfaces"}, "elements of tied meshes cannot share their material with particles",
-                     "no ties between bodies of elements");
-  for (std::size_t g = 0; g < s.groups.size(); ++g)
-  {
-    if (s.groups[g]->body() != body)
-      continue;
-    std::vector<std::size_t> own;
-    for (const std::uint32_t e : elements)
-      own.push_back(e - s.parts[g].first_element);
-    s.groups[g]->weigh(own, shares, s.nodes);
-  }
 }
 
 template class Solver<1>;

@@ -37,7 +37,7 @@ StepStatus Solver<dim>::begin(const TimeStep &whole, const TimeStep &part)
       owed |= p.owed[i][a] != 0;
       pushed.force[i] = f *= share;
     }
-    if ((any || owed) && s.nodes.mass[a] > 0 && !s.constraints.is_slave(a))
+    if ((any || owed) && s.nodes.keeps(a) && s.nodes.mass[a] > 0 && !s.constraints.is_slave(a))
       p.pushed.push_back(pushed);
   }
   s.kick(whole);
@@ -45,7 +45,7 @@ StepStatus Solver<dim>::begin(const TimeStep &whole, const TimeStep &part)
     s.spread(pushed, whole, part);
   s.place(whole, part);
   for (const auto &pushed : p.pushed)
-    for (int i = 0; i < dim; ++i)
+    for (int i = 0; i < dim && s.nodes.counts(pushed.node); ++i)
       p.error[0] += p.path[i][pushed.node] * s.nodes.v_mean[i][pushed.node];
   std::erase_if(p.pushed, [&](const auto &pushed) {
     return std::all_of(p.owed.begin(), p.owed.end(), [&](const auto &owed) { return owed[pushed.node] == 0; });
@@ -97,26 +97,32 @@ StepStatus Solver<dim>::go_on(const TimeStep &part)
     for (std::size_t a = 0; a < nodes.size(); ++a)
     {
       s.v_old[i][a] = nodes.v[i][a];
-      if (nodes.force[i][a] == 0)
+      if (nodes.force[i][a] == 0 || !nodes.keeps(a))
+      {
+        nodes.force[i][a] = 0;
         continue;
+      }
       nodes.v[i][a] += (nodes.mass[a] > 0 ? part.kick / nodes.mass[a] : 0.) * nodes.force[i][a];
       nodes.force[i][a] = 0;
     }
   s.prescribed.apply(part, nodes, s.v_old, s.work);
   s.constraints.follow(nodes);
   for (const auto &pushed : p.pushed)
-    for (int i = 0; i < dim; ++i)
+    for (int i = 0; i < dim && nodes.counts(pushed.node); ++i)
       p.error[0] += part.kick * pushed.force[i] * .5 * (s.v_old[i][pushed.node] + nodes.v[i][pushed.node]);
   for (int i = 0; i < dim; ++i)
   {
     double       *x = nodes.x[i].data(), *path = p.path[i].data();
     const double *v = nodes.v[i].data(), *first = p.first[i].data();
-    for (std::size_t a = 0; a < nodes.size(); ++a)
-    {
-      x[a] += part.drift * v[a];
-      path[a] += part.drift * (v[a] - first[a]);
-    }
+    s.for_each_run([=](std::size_t begin, std::size_t end) {
+      for (std::size_t a = begin; a < end; ++a)
+      {
+        x[a] += part.drift * v[a];
+        path[a] += part.drift * (v[a] - first[a]);
+      }
+    });
   }
+  s.show();
   return {};
 }
 
@@ -129,10 +135,11 @@ StepStatus Solver<dim>::finish(const TimeStep &whole)
   for (std::size_t g = 0; g < s.groups.size(); ++g)
     for (int i = 0; i < dim; ++i)
     {
-      const auto        force = s.groups[g]->nodal_forces(i);
+      const double     *force = s.element_forces(g, i);
       const std::size_t first = s.parts[g].first_node;
       for (std::size_t a = first; a < s.parts[g].last_node; ++a)
-        p.error[0] -= .5 * whole.kick * force[a - first] * (p.shift[i][a] + p.path[i][a] / whole.drift);
+        if (nodes.counts(a))
+          p.error[0] -= .5 * whole.kick * force[a - first] * (p.shift[i][a] + p.path[i][a] / whole.drift);
     }
   for (int i = 0; i < dim; ++i)
     for (std::size_t a = 0; a < nodes.size(); ++a)
@@ -146,7 +153,7 @@ StepStatus Solver<dim>::finish(const TimeStep &whole)
   const StepStatus status = s.advance_elements(whole);
   for (int i = 0; i < dim; ++i)
     nodes.v[i] = p.first[i];
-  return status.ok ? s.review() : status;
+  return s.conclude(status);
 }
 
 template <int dim>
@@ -155,6 +162,8 @@ void Solver<dim>::Implementation::add_owed(Balance &b) const
   const auto &owed = parts_of_step.owed;
   for (std::size_t a = 0; a < owed[0].size(); ++a)
   {
+    if (!nodes.counts(a))
+      continue;
     Vec3 x = Vec3::Zero(), p = Vec3::Zero();
     for (int i = 0; i < dim; ++i)
     {
@@ -174,7 +183,7 @@ void Solver<dim>::Implementation::add_owed(Balance &b) const
 template <int dim>
 double Solver<dim>::parts_error() const
 {
-  return self_->parts_of_step.error[0];
+  return self_->sum(self_->parts_of_step.error[0]);
 }
 
 #define OGIVE_INSTANTIATE(d)                                                                                 \

@@ -225,6 +225,7 @@ struct Solver<dim>::Implementation
   std::vector<std::vector<std::int64_t>> take_own(std::vector<BodyParticles<dim>> &);
   void   cut(const PerAxis<std::vector<double>> &x, const std::vector<double> &weight, std::size_t of);
   double work_of(std::size_t i) const; ///< counted, in directed pairs
+  double own_work() const;             ///< of all particles of this rank
   bool   is_uneven();
   bool   has_grown() const;
   void   share_out(bool anew);

@@ -94,6 +94,15 @@ double Solver<dim>::Implementation::work_of(std::size_t i) const
   return work_of_point + static_cast<double>(pairs.rows.row[i + 1] - pairs.rows.row[i]);
 }
 
+template <int dim>
+double Solver<dim>::Implementation::own_work() const
+{
+  double work = 0;
+  for (std::size_t i = 0; i < store.size() && i + 1 < pairs.rows.row.size(); ++i)
+    work += work_of(i);
+  return work;
+}
+
 /// Each interval: whether the work is so uneven that space is to be cut anew.
 template <int dim>
 bool Solver<dim>::Implementation::is_uneven()
@@ -101,10 +110,7 @@ bool Solver<dim>::Implementation::is_uneven()
   const auto interval = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(parameters.parallel.interval));
   if (ranks.alone() || reference.on || steps % interval != 0)
     return false;
-  double own = 0;
-  for (std::size_t i = 0; i < store.size(); ++i)
-    own += work_of(i);
-  const auto   all  = ranks.gather_one(own);
+  const auto   all  = ranks.gather_one(own_work());
   const double mean = std::accumulate(all.begin(), all.end(), 0.) / ranks.size();
   diagnostics.imbalance = mean > 0 ? *std::max_element(all.begin(), all.end()) / mean : 1.;
   return diagnostics.imbalance > parameters.parallel.imbalance;

@@ -382,6 +382,7 @@ template <int dim>
 Diagnostics Solver<dim>::diagnostics() const
 {
   Diagnostics d = self_->diagnostics;
+  d.work        = self_->own_work();
   d.pairs       = static_cast<std::size_t>(self_->ranks.sum(static_cast<std::int64_t>(d.pairs)));
   return d;
 }

@@ -59,6 +59,7 @@ struct Diagnostics
   std::uint64_t rebuilds  = 0; ///< of the neighbour lists since construction
   std::size_t   own       = 0; ///< particles of this rank
   std::size_t   halo      = 0; ///< particles of other ranks that its pairs need
+  double        work      = 0; ///< of a step, of this rank, counted in directed pairs (sph/migrate.cc)
   double        imbalance = 1; ///< most over mean counted work of a rank (sph/migrate.cc), when last looked at
   std::uint64_t migrated  = 0; ///< particles that went from this rank to another
 };

@@ -69,8 +69,7 @@ template <int dim>
 void Solver<dim>::Implementation::write(ArchiveWriter &out, const std::string &prefix)
 {
   const auto write_parts = [&](const std::string &name, const auto &own) {
-    const auto all = ranks.gather(std::span(own.data(), own.size()));
-    out.write(prefix + "/" + name, std::span(all.data(), all.size()));
+    out.write_parts(ranks, prefix + "/" + name, std::span(own.data(), own.size()));
   };
   store.for_each_array(write_parts);
   if (reference.on)

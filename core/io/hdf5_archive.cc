@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/io/files.h"
 #include "core/io/hdf5_file.h"
+#include "core/parallel/together.h"
 
 #include <filesystem>
 
@@ -16,10 +17,11 @@ const std::string version_name = "format_version";
 const std::string format       = "ogive checkpoint";
 } // namespace
 
-Hdf5ArchiveWriter::Hdf5ArchiveWriter(const std::string &path)
-  : path_(path)
+Hdf5ArchiveWriter::Hdf5ArchiveWriter(const std::string &path, const Ranks &ranks)
+  : ranks_(ranks)
+  , path_(path)
   , temporary_(temporary_name(path))
-  , file_(std::make_unique<hdf5::File>(temporary_, hdf5::File::Mode::create))
+  , file_(std::make_unique<hdf5::File>(temporary_, ranks))
 {
   if (!file_->open())
     throw RunError(path + ": cannot write the checkpoint; is the directory writable?");
@@ -33,7 +35,8 @@ Hdf5ArchiveWriter::~Hdf5ArchiveWriter()
     return;
   file_.reset();
   std::error_code ignored;
-  std::filesystem::remove(temporary_, ignored);
+  if (ranks_.first())
+    std::filesystem::remove(temporary_, ignored);
 }
 
 void Hdf5ArchiveWriter::write(const std::string &name, std::span<const double> values)
@@ -46,6 +49,18 @@ void Hdf5ArchiveWriter::write(const std::string &name, std::span<const std::int6
   file_->write(name, values);
 }
 
+void Hdf5ArchiveWriter::write_parts(const Ranks &ranks, const std::string &name, std::span<const double> own)
+{
+  require(ranks.size() == ranks_.size(), "an archive takes parts of the ranks that write it");
+  file_->write_parts(name, own);
+}
+
+void Hdf5ArchiveWriter::write_parts(const Ranks &ranks, const std::string &name, std::span<const std::int64_t> own)
+{
+  require(ranks.size() == ranks_.size(), "an archive takes parts of the ranks that write it");
+  file_->write_parts(name, own);
+}
+
 void Hdf5ArchiveWriter::write_text(const std::string &name, const std::string &text)
 {
   file_->write_text(name, text);
@@ -55,7 +70,7 @@ void Hdf5ArchiveWriter::commit()
 {
   require(file_ != nullptr, "a checkpoint is committed once");
   file_->close();
-  put_in_place(temporary_, path_);
+  on_first(ranks_, [this] { put_in_place(temporary_, path_); });
   file_.reset();
 }
 

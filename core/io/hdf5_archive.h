@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/io/archive.h"
+#include "core/parallel/ranks.h"
 
 #include <memory>
 
@@ -19,10 +20,14 @@ inline constexpr std::int64_t checkpoint_version = 1;
 /// killed leaves no half-written checkpoint under that name, and a writer that
 /// goes away without commit() leaves nothing. Equal contents written in the
 /// same order give equal bytes. Throws RunError when the file cannot be written.
+///
+/// On ranks all of them write one file together, without passing their parts to
+/// one of them; every function is called by all, and what fails is thrown on all,
+/// by commit() at the latest.
 class Hdf5ArchiveWriter final : public ArchiveWriter
 {
 public:
-  explicit Hdf5ArchiveWriter(const std::string &path);
+  explicit Hdf5ArchiveWriter(const std::string &path, const Ranks & = {});
   ~Hdf5ArchiveWriter() override;
   Hdf5ArchiveWriter(const Hdf5ArchiveWriter &)            = delete;
   Hdf5ArchiveWriter &operator=(const Hdf5ArchiveWriter &) = delete;
@@ -30,16 +35,20 @@ public:
   using ArchiveWriter::write;
   void write(const std::string &name, std::span<const double> values) override;
   void write(const std::string &name, std::span<const std::int64_t> values) override;
+  /// `ranks`: those that write the file.
+  void write_parts(const Ranks &ranks, const std::string &name, std::span<const double> own) override;
+  void write_parts(const Ranks &ranks, const std::string &name, std::span<const std::int64_t> own) override;
   void write_text(const std::string &name, const std::string &text);
 
   void commit();
 
 private:
+  Ranks                       ranks_;
   std::string                 path_, temporary_;
   std::unique_ptr<hdf5::File> file_; ///< empty once committed
 };
 
-/// Reads a checkpoint file. Throws InputError with the file's name when it is
+/// Reads a checkpoint file, on each rank by itself. Throws InputError with the file's name when it is
 /// missing, cut short, not a checkpoint, or of another version.
 class Hdf5ArchiveReader final : public ArchiveReader
 {

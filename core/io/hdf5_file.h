@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "core/parallel/ranks.h"
+
 #include <cstdint>
 #include <span>
 #include <string>
@@ -38,6 +40,8 @@ public:
 
   /// Closes now; whether that went well.
   bool reset() { return id_ < 0 || close_(std::exchange(id_, -1)) >= 0; }
+  /// Lets go of it, open as it is.
+  void forget() { id_ = -1; }
   bool valid() const { return id_ >= 0; }
   hid_t get() const { return id_; }
 
@@ -48,6 +52,10 @@ private:
 
 /// An open file. Failures of writing throw RunError (disk full, for example);
 /// read functions return false or empty and leave the message to the caller.
+///
+/// A file made on several ranks is one file of all: writing is done by all of them
+/// alike, write() puts down once what all have, write_parts() each rank's part.
+/// What fails on one of them is thrown on all, by close().
 class File
 {
 public:
@@ -59,6 +67,11 @@ public:
   };
   /// Not open() if the file is missing, cut short or not HDF5.
   File(const std::string &path, Mode mode);
+  /// Creates a file of all ranks; open() is the same on all.
+  File(const std::string &path, const Ranks &ranks);
+  ~File();
+  File(const File &)            = delete;
+  File &operator=(const File &) = delete;
 
   bool               open() const { return file_.valid(); }
   const std::string &path() const { return path_; }
@@ -69,6 +82,11 @@ public:
   void write(const std::string &name, std::span<const std::int64_t> values);
   void write(const std::string &name, std::span<const std::uint32_t> values, std::size_t columns);
   void write_text(const std::string &name, const std::string &text);
+  /// Parts of the ranks, one after the other. Whole rows, as many as each has.
+  void write_parts(const std::string &name, std::span<const double> own, std::size_t columns = 1,
+                   bool single_precision = false);
+  void write_parts(const std::string &name, std::span<const std::int64_t> own);
+  void write_parts(const std::string &name, std::span<const std::uint32_t> own, std::size_t columns);
 
   bool contains(const std::string &name) const;
   /// Whether `name` is there and holds such numbers or text.
@@ -81,14 +99,21 @@ public:
   void close();
 
 private:
-  void               write_raw(const std::string &name, hid_t file_type, hid_t memory_type,
-                               std::span<const hsize_t> shape, const void *data);
+  struct Kind
+  {
+    hid_t file, memory;
+  };
+  Handle             create_set(const std::string &name, hid_t file_type, std::span<const hsize_t> shape);
+  void               write_raw(const std::string &name, Kind, std::span<const hsize_t> shape, const void *data);
+  void               write_part(const std::string &name, Kind, std::size_t rows, std::size_t columns, const void *own);
   template <class T>
   bool               read_numbers(const std::string &name, H5T_class_t kind, hid_t memory_type,
                                   std::vector<T> &) const;
-  [[noreturn]] void  fail(const std::string &what) const;
+  void               fail(const std::string &what);
 
   std::string path_;
+  Ranks       ranks_;
   Handle      file_;
+  std::string failure_; ///< the first one, of a file of several ranks
 };
 } // namespace ogive::io::hdf5

@@ -16,6 +16,9 @@ public:
   /// without. A path that cannot be written is an InputError too.
   static RunDirectory create(const std::string &path, bool force);
 
+  /// A directory that another process has made; looks at nothing.
+  static RunDirectory made(const std::string &path) { return RunDirectory(path); }
+
   /// The directory of a run to go on with; InputError if it is none.
   static RunDirectory open(const std::string &path);
 

@@ -84,6 +84,29 @@ Json to_json(const std::vector<Summary::Certificate> &certificates)
   }
   return all;
 }
+
+Json to_json(const std::vector<RankShare> &shares)
+{
+  Json ranks = Json::array();
+  for (const RankShare &s : shares)
+    ranks.push_back({{"particles", s.particles},
+                     {"halo_particles", s.halo_particles},
+                     {"elements", s.elements},
+                     {"nodes", s.nodes},
+                     {"shared_nodes", s.shared_nodes},
+                     {"particle_work", number(s.particle_work)},
+                     {"element_work", number(s.element_work)},
+                     {"messages_per_step", number(s.messages)},
+                     {"bytes_per_step", number(s.bytes)},
+                     {"joint_operations_per_step", number(s.together)},
+                     {"solver_s", number(s.solver_s)},
+                     {"waited_s", number(s.waited_s)}});
+  return {{"imbalance",
+           {{"particle_work", number(imbalance(shares, [](auto &s) { return s.particle_work; }))},
+            {"element_work", number(imbalance(shares, [](auto &s) { return s.element_work; }))},
+            {"solver_s", number(imbalance(shares, [](auto &s) { return s.solver_s; }))}}},
+          {"ranks", ranks}};
+}
 } // namespace
 
 std::optional<double> Summary::Quantity::relative_error() const
@@ -99,7 +122,7 @@ std::string to_json(const Summary &s)
   for (const auto &[name, joule] : s.ledger)
     ledger[name] = number(joule);
 
-  const Json all = {{"scene", s.scene},
+  Json all = {{"scene", s.scene},
                     {"title", s.title},
                     {"version", s.version},
                     {"commit", s.commit},
@@ -119,6 +142,8 @@ std::string to_json(const Summary &s)
                     {"limiter", to_json(s.limiter)},
                     {"certificates", to_json(s.certificates)},
                     {"warnings", s.warnings}};
+  if (!s.shares.empty())
+    all["parallel"] = to_json(s.shares);
   // A name of a body need not be valid UTF-8; a run must not fail on that at its end.
   return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "core/parallel/rank_share.h"
+
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -78,9 +80,11 @@ struct Summary
   std::optional<Limiter>                      limiter;
   std::vector<Certificate>                    certificates; ///< of seams that were looked at
   std::vector<std::string>                    warnings;
+  std::vector<RankShare>                      shares; ///< of each rank; none where there is one
 };
 
-/// The text of summary.json, entries in the order above.
+/// The text of summary.json, entries in the order above; "parallel" last, on several
+/// ranks only.
 std::string to_json(const Summary &);
 
 /// Writes it as a whole. Throws RunError.

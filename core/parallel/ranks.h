@@ -99,7 +99,8 @@ public:
 
   const Traffic &traffic() const; ///< of this process since it began
   /// The MPI_Comm of the group, for those rooms of core that speak MPI; none if alone.
-  const void    *communicator() const;
+
+  const void *communicator() const;
 
 private:
   friend class Halo;

@@ -70,6 +70,21 @@ TEST_F(SummaryFile, ListsWhatSeamsReflect)
   EXPECT_EQ(all[0]["figures"][0]["reflection"], .05);
 }
 
+// Two of three ranks have 2 and 4 units of work: the most, 4, over the mean, 2.
+TEST_F(SummaryFile, TellsHowRanksShareTheWork)
+{
+  Summary s = example();
+  s.ranks   = 3;
+  s.shares  = {{.particles = 10, .particle_work = 2}, {.particles = 20, .particle_work = 4, .messages = 2.5}, {}};
+  const Json all = Json::parse(io::to_json(s))["parallel"];
+  EXPECT_EQ(all["imbalance"]["particle_work"], 2.);
+  EXPECT_EQ(all["imbalance"]["element_work"], 1.) << "none is even";
+  ASSERT_EQ(all["ranks"].size(), 3u);
+  EXPECT_EQ(all["ranks"][1]["particles"], 20);
+  EXPECT_EQ(all["ranks"][1]["messages_per_step"], 2.5);
+  EXPECT_FALSE(Json::parse(io::to_json(example())).contains("parallel"));
+}
+
 TEST_F(SummaryFile, ComparesWithTheReference)
 {
   const Json q = Json::parse(io::to_json(example()))["quantities"];

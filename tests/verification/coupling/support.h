@@ -49,7 +49,7 @@ struct Driver
   Model<dim> model;
   double     time = 0, last = 0;
 
-  explicit Driver(const input::Scene &scene) : model(scene) {}
+  explicit Driver(const input::Scene &scene, const Ranks &ranks = {}) : model(scene, {}, ranks) {}
   void step() { step(model.stable_dt().dt); }
   void step(double dt)
   {
