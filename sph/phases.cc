@@ -133,7 +133,7 @@ StepStatus Solver<dim>::Implementation::advance_material(double dt)
       {
         double      *record = &force_records[i * L::force_stride];
         record[L::sound]  = points.sound_speed[i] * (rides || seam_pairs(body, i) ? body.seam_hourglass : 1.) * shared(i);
-        record[L::damage] = points.damage[i];
+        record_damage[i] = points.damage[i];
         broken += points.damage[i] >= 1 && !rides;
         if (reference.on)
         {

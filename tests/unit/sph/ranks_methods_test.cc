@@ -56,7 +56,8 @@ TEST(RankedParticles, RingsThatLandOnAWall)
 }
 
 /// Two bodies, one on a moving wall with friction and next to a plane of
-/// symmetry, with flow and damage.
+/// symmetry, with flow and damage. It lies on the wall: where particles land and let
+/// go one by one, a change of 1e-14 in place makes 1e-3 m/s of it, alone as well.
 template <int dim>
 void land(const Parameters &options, int steps, bool must_move)
 {
@@ -65,7 +66,7 @@ void land(const Parameters &options, int steps, bool must_move)
   m.damage.failure_strain = .5;
   auto p                  = options;
   p.symmetry              = {{0}};
-  p.walls.push_back({"wall", Vec3(0, -.2 * spacing, 0), Vec3::UnitY(), Vec3(0, 30, 0), .1});
+  p.walls.push_back({"wall", Vec3::Zero(), Vec3::UnitY(), Vec3(0, 30, 0), .1});
   const Vec3 cells = dim == 2 ? Vec3(15, 9, 0) : Vec3(7, 6, 5), up = Vec3(0, 3 + cells[1], 0);
   std::vector<BodyParticles<dim>> bodies;
   for (int k = 0; k < 2; ++k)
@@ -75,7 +76,8 @@ void land(const Parameters &options, int steps, bool must_move)
     for (std::size_t i = 0; i < bodies[k].x.size(); ++i)
     {
       bodies[k].v[i][0] = 200 * (1 - 2 * k) * bodies[k].x[i][0] / (15 * spacing);
-      bodies[k].v[i][1] = -120 + 60 * std::sin(900 * bodies[k].x[i][0]);
+      bodies[k].v[i][1] = k == 0 ? 20 - 120 * bodies[k].x[i][1] / (9 * spacing) :
+                                     -120 + 60 * std::sin(900 * bodies[k].x[i][0]);
     }
   }
   compare<dim>(p, bodies, steps, 1e-9, must_move);
