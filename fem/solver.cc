@@ -72,8 +72,12 @@ void Solver<dim>::Implementation::place_bodies(std::vector<BodyMesh<dim>> &meshe
   std::size_t n_all = n_nodes; // with the graves of eroding bodies
   for (std::size_t b = 0; b < meshes.size(); ++b)
   {
-    places.push_back(
-      {first_node[b], parts[b].first_element, n_all, distribution.alone() ? nullptr : &distribution.shared()});
+    places.push_back({first_node[b], parts[b].first_element, n_all});
+    if (!distribution.alone())
+    {
+      places[b].shared = &distribution.shared();
+      places[b].own    = &distribution.bodies()[b].own;
+    }
     n_all += meshes[b].loses_elements() ? ElementGroup<dim>::corners : 0;
   }
   nodes.resize(n_all);
@@ -138,10 +142,16 @@ template <int dim>
 void Solver<dim>::Implementation::review_erosion()
 {
   erosion.review(all(), face);
-  if (distribution.alone())
-    return;
+  if (!distribution.alone())
+    find_shown();
+}
+
+/// Nodes that all ranks know of after each step: those of elements at the surface.
+template <int dim>
+void Solver<dim>::Implementation::find_shown()
+{
   std::vector<bool> seen(nodes.size(), false);
-  for (const auto &facet : face.facets) // the whole elements: others may ride in them
+  for (const auto &facet : face.facets) // all of their nodes: others may ride in them
   {
     const auto at = find(facet.element);
     for (const std::uint32_t a : distribution.nodes(at.group, at.element))
