@@ -41,7 +41,7 @@ template <int dim>
 void expect_same_deaths(bool axisymmetric)
 {
   Twins<dim> twins({drawn<dim>(axisymmetric)});
-  twins.steps(250);
+  twins.steps(dim == 2 ? 250 : 180);
   twins.expect_equal();
   const double died = twins.alone->balance().eroded_elements;
   EXPECT_GT(died, 1);
