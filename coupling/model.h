@@ -89,6 +89,7 @@ public:
   std::size_t   elements() const { return fem_ ? fem_->size() - fem_->converted_elements() : 0; }
   std::uint64_t particle_updates() const { return sph_ ? sph_->updates() : 0; }
   std::uint64_t element_updates() const { return fem_ ? fem_->updates() : 0; }
+  std::uint64_t element_skips() const { return fem_ ? fem_->skipped() : 0; } ///< of them, left out
   double        sph_seconds() const { return sph_seconds_; } ///< processor time spent in the particle solver
   double        fem_seconds() const { return fem_seconds_; }
 

@@ -299,6 +299,8 @@ io::Summary Run<dim>::finish()
   summary.elements                     = static_cast<std::int64_t>(model_.elements());
   summary.sph_particle_steps_per_core_s = rate(model_.particle_updates(), model_.sph_seconds());
   summary.fem_element_steps_per_core_s  = rate(model_.element_updates(), model_.fem_seconds());
+  if (model_.element_updates() > 0)
+    summary.fem_share_skipped = double(model_.element_skips()) / double(model_.element_updates());
   summary.certificates                 = certificates_;
   summary.warnings                     = log_.warnings();
   io::write_summary(directory_.summary(), summary);

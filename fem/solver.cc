@@ -212,6 +212,7 @@ StepStatus Solver<dim>::Implementation::advance_elements(const TimeStep &step)
     if (!status.ok)
       return status;
     updates += group->size();
+    skipped += group->skipped();
   }
   return {};
 }
