@@ -277,7 +277,7 @@ void Solver<dim>::Implementation::reflect_motion()
 template <int dim>
 void Solver<dim>::Implementation::reflect_forces()
 {
-  exchange(force_records, L::force_stride, L::sound, L::force_stride);
+  exchange(force_records, L::force_stride, L::n_motion, L::force_stride);
   for (std::size_t g = 0; g < ghosts.size(); ++g)
   {
     const double *from = &force_records[ghosts.parent[g] * L::force_stride];
@@ -298,6 +298,7 @@ void Solver<dim>::Implementation::reflect_forces()
 template <int dim>
 void Solver<dim>::Implementation::reflect_shares()
 {
+  exchange(force_records, L::force_stride, L::sound, L::sound + 1);
   for (std::size_t g = 0; g < ghosts.size(); ++g)
     image_record(force_records, L::force_stride, g)[L::sound] = force_records[ghosts.parent[g] * L::force_stride + L::sound];
 }
