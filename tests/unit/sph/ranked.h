@@ -90,8 +90,8 @@ inline void expect_near(const Balance &a, const Balance &b, double bound)
   EXPECT_EQ(a.gradient_fallbacks, b.gradient_fallbacks);
 }
 
-/// Every field that a checkpoint has for each particle, by id. Heats are parts of
-/// the energy and measured by the kinetic one.
+/// Every field that a checkpoint has for each particle, by id. Components are
+/// measured by their whole; heats, which are parts of the energy, by the kinetic one.
 inline void expect_same_fields(const Files &a, const Files &b, double bound)
 {
   const auto order_a = by_id(a.integers("s/id")), order_b = by_id(b.integers("s/id"));
@@ -104,8 +104,12 @@ inline void expect_same_fields(const Files &a, const Files &b, double bound)
   for (const auto &[name, values] : a.all_doubles())
     if (values.size() == order_a.size())
     {
-      const bool heat = name.find("heat") != std::string::npos;
-      expect_near(values, order_a, b.doubles(name), order_b, bound, name, 1, heat ? kinetic : 0.);
+      double size = name.find("heat") != std::string::npos ? kinetic : 0.; // of the whole vector or tensor
+      for (const auto &[other, part] : a.all_doubles())
+        if (name.rfind('_') != std::string::npos && other.rfind(name.substr(0, name.rfind('_') + 1), 0) == 0)
+          for (const double p : part)
+            size = std::max(size, std::abs(p));
+      expect_near(values, order_a, b.doubles(name), order_b, bound, name, 1, size);
       ++fields;
     }
   for (const auto &[name, values] : a.all_integers())
