@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <ctime>
 
 namespace ogive::sph
 {
@@ -180,9 +181,11 @@ StepStatus Solver<dim>::Implementation::arrive(const TimeStep &t)
   time = t.time + t.drift;
   if (lists_are_stale())
   {
+    const auto start = std::clock();
     sort_particles();
     rebuild_lists();
     surface_stale = true;
+    diagnostics.rebuild_s += static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   }
   touch_walls();
   store.swept_density     = store.points.density;
@@ -368,7 +371,9 @@ std::span<const std::uint32_t> Solver<dim>::index_of_id() const
 template <int dim>
 Diagnostics Solver<dim>::diagnostics() const
 {
-  return self_->diagnostics;
+  Diagnostics d = self_->diagnostics;
+  d.bytes       = self_->bytes();
+  return d;
 }
 
 template <int dim>

@@ -54,6 +54,11 @@ struct Diagnostics
   std::size_t   fallbacks = 0; ///< particles whose corrected gradient fell back to the plain one, last step
   std::size_t   pairs     = 0; ///< directed pairs in the lists, skin included
   std::uint64_t rebuilds  = 0; ///< of the neighbour lists since construction
+  double        rebuild_s = 0; ///< processor time of the rebuilds within steps so far, s
+  std::size_t   bytes     = 0; ///< held for the particles, by vector sizes
+  /// Rows of sweeps that may be left out where nothing changes (SphOptions::quiescent_skip),
+  /// and those of them that were, so far.
+  std::uint64_t rows = 0, rows_skipped = 0;
 };
 
 /// Smoothed particle hydrodynamics of solids, total set of bodies of a scene.
