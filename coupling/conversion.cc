@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 namespace ogive::coupling
 {
@@ -19,6 +20,14 @@ Vec3 first_centre(const fem::Departure<dim> &d)
     for (int i = 0; i < dim; ++i)
       centre[i] += corner[i] / d.corners;
   return centre;
+}
+
+/// Numbers of all elements from the first to before the last.
+std::vector<std::uint32_t> numbers_of(const std::pair<std::uint32_t, std::uint32_t> &range)
+{
+  std::vector<std::uint32_t> numbers(range.second - range.first);
+  std::iota(numbers.begin(), numbers.end(), range.first);
+  return numbers;
 }
 
 /// Distance of a point from the centre of a zone, or from the line through it, m.
@@ -63,9 +72,10 @@ void Conversion<dim>::prepare(Body &b, std::pair<std::uint32_t, std::uint32_t> r
   const std::uint32_t  n = range.second - range.first;
   std::map<std::uint32_t, std::vector<std::uint32_t>> at; // elements at each node
   b.free.assign(n, true);
+  const auto all = mesh_.look(numbers_of(range));
   for (std::uint32_t e = 0; e < n; ++e)
   {
-    const auto element = mesh_.look(b.first + e);
+    const auto &element = all[e];
     for (const std::uint32_t node : element.node)
       at[node].push_back(e);
     const auto lattice = lattice_of(element, b.spacing);
@@ -80,7 +90,7 @@ void Conversion<dim>::prepare(Body &b, std::pair<std::uint32_t, std::uint32_t> r
   for (std::uint32_t e = 0; e < n; ++e)
   {
     std::map<std::uint32_t, int> shared; // nodes with each other element
-    for (const std::uint32_t node : mesh_.look(b.first + e).node)
+    for (const std::uint32_t node : all[e].node)
       for (const std::uint32_t other : at[node])
         ++shared[other];
     for (const auto &[other, nodes] : shared)
@@ -113,10 +123,12 @@ template <int dim>
 auto Conversion<dim>::zone(const Body &b) const -> Elements
 {
   Elements found;
-  if (b.when.zone_radius > 0)
-    for (std::uint32_t e = 0; e < b.free.size(); ++e)
-      if (distance(b.when, first_centre(mesh_.look(b.first + e))) <= b.when.zone_radius)
-        found.push_back(e);
+  if (!(b.when.zone_radius > 0))
+    return found;
+  const auto all = mesh_.look(numbers_of({b.first, b.first + static_cast<std::uint32_t>(b.free.size())}));
+  for (std::uint32_t e = 0; e < all.size(); ++e)
+    if (distance(b.when, first_centre(all[e])) <= b.when.zone_radius)
+      found.push_back(e);
   return found;
 }
 
@@ -198,10 +210,10 @@ auto Conversion<dim>::roomy(const Body &b, Elements cluster) const -> Elements
 {
   while (true)
   {
-    std::vector<fem::Departure<dim>> elements;
-    for (const std::uint32_t e : cluster)
-      elements.push_back(mesh_.look(b.first + e));
-    if (inertia_ratio<dim>(elements, b.spacing, axisymmetric_) >= least_inertia)
+    Elements numbers = cluster;
+    for (std::uint32_t &e : numbers)
+      e += b.first;
+    if (inertia_ratio<dim>(mesh_.look(numbers), b.spacing, axisymmetric_) >= least_inertia)
       return cluster;
     Elements more = grown(b, cluster, 1);
     if (more.size() == cluster.size())

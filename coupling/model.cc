@@ -188,7 +188,7 @@ void Model<dim>::build(const input::Scene &scene, const Setup &setup, const std:
   if (!meshes.empty())
     fem_ = std::make_unique<fem::Solver<dim>>(
       fem::Parameters{scene.fem, scene.dimension == input::Dimension::axisymmetric, scene.symmetry, scene.walls,
-                      scene.boundaries, boundary_bodies(scene), mesh_ties(scene)},
+                      scene.boundaries, boundary_bodies(scene), mesh_ties(scene), ranks_, scene.parallel},
       std::move(meshes));
   if (!clouds.empty())
     sph_ = std::make_unique<sph::Solver<dim>>(
@@ -214,7 +214,10 @@ std::vector<ConversionEvent> Model<dim>::convert(std::int64_t step, double time)
   const Stopwatch watch(sph_seconds_);
   auto            events = conversion_->convert(step, time);
   if (!events.empty())
+  {
+    fem_->refresh_all(); // riders find their places in elements that lie deep
     coupler_->renew();
+  }
   return events;
 }
 

@@ -38,6 +38,11 @@ public:
   {
     solver_.copy_pressing_state(element, to, k);
   }
+  void copy_states(std::span<const std::uint32_t> elements, materials::Points &to) const override
+  {
+    solver_.gather_pressing_states(elements, to);
+  }
+  void follow(const std::string &who, std::span<const std::uint32_t> nodes) override { solver_.follow(who, nodes); }
   void weigh(int body, std::span<const std::uint32_t> elements, std::span<const double> shares) override
   {
     solver_.weigh(body, elements, shares);

@@ -60,6 +60,6 @@ void OnePointGroup<Quad4AreaWeighted>::weigh(const Nodes<2> &nodes)
     }
     store(power, &half_power_[pack * width]);
   }
-  scatter(0, packs);
+  scatter(0, packs, corner_force_.data());
 }
 } // namespace ogive::fem

@@ -29,10 +29,12 @@ template <class Element>
 void OnePointGroup<Element>::add_weak(std::size_t pack, const Shape &shape, const VDouble &pressure)
 {
   const std::size_t lanes = std::min(width, n_ - pack * width);
+  VDouble           B[corners][dim];
+  corner_areas(shape, B);
   for (int a = 0; a < corners; ++a)
     for (int i = 0; i < dim; ++i)
     {
-      VDouble force = pressure * shape.B[a][i];
+      VDouble force = pressure * B[a][i];
       if constexpr (Element::hoop)
         if (i == 0)
           force += pressure * shape.hoop[a];

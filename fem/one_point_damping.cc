@@ -50,6 +50,8 @@ void OnePointGroup<Element>::damp(std::span<const std::size_t> elements, double 
   for (const std::size_t e : elements)
     for (std::size_t k = e; k < (e + 1 == n_ ? padded_n_ : e + 1); ++k)
       damping_share_[k] = share;
+  if (!keeps_forces()) // the stress of t_n has still to do its work
+    return;
   for (auto &component : damping_stress_)
     for (std::size_t k = 0; k < component.size(); ++k)
       component[k] *= damping_share_[k] > 0;

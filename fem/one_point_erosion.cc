@@ -113,7 +113,7 @@ void OnePointGroup<Element>::sum_forces()
   find_rows();
   for (auto &component : nodal_force_)
     std::fill(component.begin(), component.end(), 0.);
-  scatter(0, padded_n_ / width);
+  scatter(0, padded_n_ / width, corner_force_.data());
 }
 
 template <class Element>

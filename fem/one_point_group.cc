@@ -16,7 +16,7 @@ template <class Element>
 struct OnePointGroup<Element>::Block
 {
   static constexpr std::size_t n = block_packs * width;
-  alignas(64) double strain[6][n], spin[3][n], density[n];
+  alignas(64) double strain[6][n], spin[3][n], density[n], force[corners * dim * n];
   Shape  shape[block_packs];
   Motion motion[block_packs];
 };
@@ -34,9 +34,11 @@ void OnePointGroup<Element>::start(const Nodes<dim> &nodes)
     Motion  motion;
     gather(nodes.x, pack, x);
     deform<Element, VDouble>(x, still, VDouble(1.), shape, motion);
-    stress<false>(pack, shape, motion, 1.);
+    alignas(64) double scratch[corners * dim * width];
+    double *const      forces = forces_of(pack, scratch);
+    stress<false>(pack, shape, motion, 1., forces);
     if constexpr (!area_weighted)
-      scatter(pack, 1);
+      scatter(pack, 1, forces);
   }
   if constexpr (area_weighted)
     weigh(nodes);
@@ -66,17 +68,17 @@ void OnePointGroup<Element>::gather(const std::array<AlignedVector<double>, dim>
 /// since they seldom share a node at the same corner: an addition has reached the
 /// memory before the next one to the node reads it.
 template <class Element>
-void OnePointGroup<Element>::scatter(std::size_t begin, std::size_t count)
+void OnePointGroup<Element>::scatter(std::size_t begin, std::size_t count, const double *forces)
 {
   if (!share_.empty())
-    return scatter_shares(begin, count);
+    return scatter_shares(begin, count, forces);
   for (int a = 0; a < corners; ++a)
     for (int i = 0; i < dim; ++i)
     {
       double *sum = nodal_force_[i].data();
       for (std::size_t pack = begin; pack < begin + count; ++pack)
       {
-        const double       *force = &corner_force_[((pack * corners + a) * dim + i) * width];
+        const double       *force = &forces[(((pack - begin) * corners + a) * dim + i) * width];
         const std::uint32_t row   = row_[pack * corners + a];
         if (row != no_row)
         {
@@ -95,15 +97,40 @@ void OnePointGroup<Element>::scatter(std::size_t begin, std::size_t count)
     }
 }
 
+/// Power that the corner forces of t_n take from velocities v, W.
 template <class Element>
-VDouble OnePointGroup<Element>::internal_work(std::size_t pack, const Corners &v, double kick) const
+VDouble OnePointGroup<Element>::power_of_forces(std::size_t pack, const Corners &v) const
 {
   const double *f = &corner_force_[pack * corners * dim * width];
-  VDouble       power = load(&half_power_[pack * width]);
+  VDouble       power(0.);
   for (int a = 0; a < corners; ++a)
     for (int i = 0; i < dim; ++i, f += width)
-      power -= .5 * load(f) * v[a][i];
-  return power * kick;
+      power -= load(f) * v[a][i];
+  return power;
+}
+
+/// The same from the stress of t_n in the shape of t_n, where the velocities came
+/// from: cheaper than to keep the forces of all elements from step to step.
+template <class Element>
+VDouble OnePointGroup<Element>::power_of_stress(std::size_t pack, const VDouble (&X)[7][3],
+                                                const VDouble (&V)[7][3], double drift) const
+{
+  const std::size_t e = pack * width;
+  VDouble           last[7][3], sigma[6], Q[4][3];
+  for (int m = 0; m < 7; ++m)
+    for (int i = 0; i < 3; ++i)
+      last[m][i] = X[m][i] - drift * V[m][i];
+  VDouble q = load(&viscous_pressure_[e]);
+  if (corrected_)
+    q -= load(&weak_pressure_[e]);
+  for (int k = 0; k < 6; ++k)
+    sigma[k] = load(&points_.sigma[k][e]) - (k < 3 ? q : VDouble(0.));
+  for (int k = 0; k < 6 && !damping_share_.empty(); ++k)
+    sigma[k] += load(&damping_stress_[k][e]);
+  for (int m = 0; m < 4; ++m)
+    for (int i = 0; i < 3; ++i)
+      Q[m][i] = load(&Q_[((pack * 4 + m) * 3 + i) * width]);
+  return power_taken(last, V, sigma, Q);
 }
 
 template <class Element>
@@ -136,15 +163,28 @@ bool OnePointGroup<Element>::strain(const Nodes<dim> &nodes, const TimeStep &ste
   Corners x, v;
   gather(nodes.x, pack, x);
   gather(nodes.v, pack, v);
-  VDouble work = internal_work(pack, v, step.kick), correction(0.);
+  Shape  &shape  = block.shape[held];
+  Motion &motion = block.motion[held];
+  VDouble power, correction(0.);
+  if constexpr (modal)
+  {
+    VDouble X[7][3], V[7][3];
+    modes_of(x, X);
+    modes_of(v, V);
+    power = keeps_forces() ? power_of_forces(pack, v) : power_of_stress(pack, X, V, step.drift);
+    deform_modes(X, V, VDouble(step.drift), shape, motion);
+  }
+  else
+  {
+    power = power_of_forces(pack, v);
+    deform<Element, VDouble>(x, v, VDouble(step.drift), shape, motion);
+  }
+  VDouble work = (load(&half_power_[pack * width]) + .5 * power) * step.kick;
   if constexpr (corrected)
   {
     correction = correction_work(pack, v, step.kick);
     work += correction;
   }
-  Shape  &shape  = block.shape[held];
-  Motion &motion = block.motion[held];
-  deform<Element, VDouble>(x, v, VDouble(step.drift), shape, motion);
   for (auto &row : motion.rate)
     for (auto &rate : row)
       rate *= step.drift;
@@ -170,7 +210,8 @@ void OnePointGroup<Element>::fetch(std::size_t begin, std::size_t count)
     for (; first < last; first += line)
       __builtin_prefetch(first);
   };
-  ask(corner_force_, corners * dim);
+  if (keeps_forces())
+    ask(corner_force_, corners * dim);
   ask(Q_, modes * dim);
   points_.for_each_array([&](const char *, const AlignedVector<double> &a) { ask(a, 1); });
   for (auto *a : {&mass_, &viscous_pressure_, &half_hourglass_, &half_viscous_, &half_power_,
@@ -224,10 +265,11 @@ StepStatus OnePointGroup<Element>::take(const Nodes<dim> &nodes, const TimeStep 
     if (status != materials::Status::ok)
       return fail(nodes, std::min(bad, n_ - 1), materials::describe(status));
 
+    double *const forces = forces_of(begin, block.force);
     for (std::size_t k = 0; k < count; ++k)
-      stress<corrected>(begin + k, block.shape[k], block.motion[k], step.drift);
+      stress<corrected>(begin + k, block.shape[k], block.motion[k], step.drift, forces + k * corners * dim * width);
     if constexpr (!area_weighted)
-      scatter(begin, count);
+      scatter(begin, count, forces);
   }
   return {};
 }
@@ -257,7 +299,8 @@ Gram<Element, VDouble> OnePointGroup<Element>::inverse_mass_gram(std::size_t pac
 /// lies below the largest element (Irons and Treharne, 1971).
 template <class Element>
 template <bool corrected>
-void OnePointGroup<Element>::stress(std::size_t pack, const Shape &shape, const Motion &motion, double dt)
+void OnePointGroup<Element>::stress(std::size_t pack, const Shape &shape, const Motion &motion, double dt,
+                                    double *f)
 {
   const std::size_t e = pack * width;
   VDouble           ones[corners];
@@ -337,7 +380,6 @@ void OnePointGroup<Element>::stress(std::size_t pack, const Shape &shape, const 
   fem::corner_forces<Element, VDouble>(shape, sigma, Q, force);
   if constexpr (area_weighted)
     Element::to_section(shape, sigma, force);
-  double *f = &corner_force_[pack * corners * dim * width];
   for (int a = 0; a < corners; ++a)
     for (int i = 0; i < dim; ++i, f += width)
       store(force[a][i], f);
@@ -347,10 +389,10 @@ void OnePointGroup<Element>::stress(std::size_t pack, const Shape &shape, const 
   const VDouble bound   = .5 * damping + stdx::sqrt(.25 * damping * damping + frequency2);
   if (by_step_)
     store(bound, &bound_[e]);
-  const double  largest = stdx::hmax(bound);
-  if (largest > limit_[0])
+  if (stdx::any_of(bound > limit_[0]))
   {
-    limit_[0] = largest;
+    const double largest = stdx::hmax(bound);
+    limit_[0]            = largest;
     for (std::size_t lane = 0; lane < width; ++lane)
       if (bound[lane] == largest)
         limit_[1] = static_cast<double>(std::min(e + lane, n_ - 1));

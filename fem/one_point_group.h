@@ -3,7 +3,7 @@
 
 #include "core/base/simd.h"
 #include "fem/element_group.h"
-#include "fem/elements/one_point.h"
+#include "fem/elements/hex8_modes.h"
 #include "fem/viscosity/viscosities.h"
 
 namespace ogive::fem
@@ -56,13 +56,14 @@ private:
   static constexpr std::size_t width       = simd_width;
   static constexpr std::size_t block_packs = 16; ///< packs between two calls of the material
 
-  static constexpr bool area_weighted = requires { Element::area_weighted; };
   static constexpr std::uint32_t no_row = 0xffffffff;
 
   /// Corner positions or velocities of a pack; shape and rates of a pack.
   using Corners = VDouble[corners][dim];
-  using Shape   = Geometry<Element, VDouble>;
+  using Shape   = typename ShapeOf<Element, VDouble>::type;
   using Motion  = Deformation<Element, VDouble>;
+  static constexpr bool area_weighted = requires { Element::area_weighted; };
+  static constexpr bool modal         = std::is_same_v<Shape, ModalShape<VDouble>>;
   struct Block; ///< what the two halves of a block hand over
 
   /// Index of entry k of n of element e in pack order.
@@ -74,8 +75,8 @@ private:
   static void    store(VDouble v, double *p) { v.copy_to(p, stdx::vector_aligned); }
 
   void    find_rows();
-  void    scatter(std::size_t begin, std::size_t count);
-  void    scatter_shares(std::size_t begin, std::size_t count);
+  void    scatter(std::size_t begin, std::size_t count, const double *forces);
+  void    scatter_shares(std::size_t begin, std::size_t count, const double *forces);
   double  share(std::size_t e) const { return share_.empty() ? 1. : share_[e]; }
   void    weigh(const Nodes<dim> &);
   void    gather(const std::array<AlignedVector<double>, dim> &, std::size_t pack, Corners &,
@@ -84,10 +85,17 @@ private:
   StepStatus take(const Nodes<dim> &, const TimeStep &);
   template <bool corrected>
   bool    strain(const Nodes<dim> &, const TimeStep &, std::size_t pack, Block &, std::size_t held);
-  VDouble internal_work(std::size_t pack, const Corners &v, double kick) const;
+  bool    keeps_forces() const { return !corner_force_.empty(); }
+  /// Where the corner forces of a pack go: to their array, or to `scratch` where none is kept.
+  double *forces_of(std::size_t pack, double *scratch)
+  {
+    return keeps_forces() ? &corner_force_[pack * corners * dim * width] : scratch;
+  }
+  VDouble power_of_forces(std::size_t pack, const Corners &v) const;
+  VDouble power_of_stress(std::size_t pack, const VDouble (&X)[7][3], const VDouble (&V)[7][3], double drift) const;
   void    book_energy(std::size_t pack, VDouble work, VDouble correction, const Shape &, const Motion &);
   template <bool corrected>
-  void    stress(std::size_t pack, const Shape &, const Motion &, double dt);
+  void    stress(std::size_t pack, const Shape &, const Motion &, double dt, double *forces);
   Gram<Element, VDouble> inverse_mass_gram(std::size_t pack, const Shape &,
                                            const Gram<Element, VDouble> &unit) const;
 
@@ -133,7 +141,7 @@ private:
   double                     scaling_ = 0, added_mass_ = 0; ///< 2/dt (1/s) while masses are sought; kg
 
   materials::Points     points_;
-  AlignedVector<double>      corner_force_; ///< N at t_n, packs of corners x dim
+  AlignedVector<double>      corner_force_; ///< N at t_n, packs of corners x dim; empty where state and shape give them back
   std::array<AlignedVector<double>, dim> nodal_force_; ///< N at t_n, sums over the corners at the body's nodes
   std::vector<double>   ring_mass_, section_mass_; ///< kg, kg/m at the body's nodes; area-weighted only
   std::vector<double>   share_;             ///< see ElementGroup::weigh; empty: 1

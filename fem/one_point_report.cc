@@ -165,7 +165,8 @@ template <class Element>
 void OnePointGroup<Element>::for_each_state(const Visitor &visit)
 {
   points_.for_each_array([&](const char *name, AlignedVector<double> &a) { visit(name, a); });
-  visit("corner_force", corner_force_);
+  if (keeps_forces())
+    visit("corner_force", corner_force_);
   for (int i = 0; i < dim; ++i)
     visit(std::string("nodal_force_") + "xyz"[i], nodal_force_[i]);
   visit("hourglass_force", Q_);

@@ -38,7 +38,9 @@ OnePointGroup<Element>::OnePointGroup(const BodyMesh<dim> &mesh, const GroupPlac
   for (auto *a : {&mass_, &viscous_pressure_, &half_hourglass_, &half_viscous_, &half_power_,
                   &hourglass_energy_, &viscous_heat_})
     a->resize(padded_n_, 0.);
-  corner_force_.resize(padded_n_ * corners * dim, 0.);
+  // Whoever leaves takes its forces along; damping may change under them.
+  if (!modal || mesh.loses_elements())
+    corner_force_.resize(padded_n_ * corners * dim, 0.);
   Q_.resize(padded_n_ * modes * dim, 0.);
   if (by_step_)
     bound_.resize(padded_n_, 0.);

@@ -34,13 +34,13 @@ void OnePointGroup<Element>::weigh(std::span<const std::size_t> elements, std::s
 }
 
 template <class Element>
-void OnePointGroup<Element>::scatter_shares(std::size_t begin, std::size_t count)
+void OnePointGroup<Element>::scatter_shares(std::size_t begin, std::size_t count, const double *forces)
 {
   for (int a = 0; a < corners; ++a)
     for (int i = 0; i < dim; ++i)
       for (std::size_t e = begin * width; e < std::min((begin + count) * width, n_); ++e)
         nodal_force_[i][node_[slot(e, a, corners)] - first_node_] +=
-          share_[e] * corner_force_[slot(e, a * dim + i, corners * dim)];
+          share_[e] * forces[slot(e - begin * width, a * dim + i, corners * dim)];
 }
 
 template class OnePointGroup<Line2>;

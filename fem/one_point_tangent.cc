@@ -14,15 +14,16 @@ template <class Element>
 void OnePointGroup<Element>::tangent(const Nodes<dim> &nodes, const std::array<AlignedVector<double>, dim> &u,
                                      AlignedVector<double> &stiff, AlignedVector<double> &damp) const
 {
-  stiff.resize(corner_force_.size());
-  damp.resize(corner_force_.size());
+  using Corner = Geometry<Element, VDouble>;
+  stiff.resize(padded_n_ * corners * dim);
+  damp.resize(padded_n_ * corners * dim);
   VDouble                ones[corners];
   std::fill(std::begin(ones), std::end(ones), VDouble(1.));
   for (std::size_t pack = 0; pack < padded_n_ / width; ++pack)
   {
     const std::size_t e = pack * width;
     Corners           x, motion;
-    Shape             shape;
+    Corner            shape;
     Motion            d;
     gather(nodes.x, pack, x);
     gather(u, pack, motion);
@@ -36,7 +37,7 @@ void OnePointGroup<Element>::tangent(const Nodes<dim> &nodes, const std::array<A
         for (int a = 0; a < corners; ++a)
           L[i][j] += motion[a][i] * shape.B[a][j] / shape.volume;
       }
-    VDouble trace(0.), sigma[6], viscous[6], elastic_Q[Shape::modes][dim], viscous_Q[Shape::modes][dim];
+    VDouble trace(0.), sigma[6], viscous[6], elastic_Q[Corner::modes][dim], viscous_Q[Corner::modes][dim];
     for (int c = 0; c < 6; ++c)
       sigma[c] = viscous[c] = VDouble(0.);
     VDouble hoop(0.);
@@ -67,7 +68,7 @@ void OnePointGroup<Element>::tangent(const Nodes<dim> &nodes, const std::array<A
     const VDouble resistance =
       viscous_hourglass_ ? options_.hourglass_coefficient * .25 * density * c * shape.volume / length :
                            options_.hourglass_coefficient * hourglass_modulus_ / corners * shape.volume * unit.trace;
-    for (int m = 0; m < Shape::modes; ++m)
+    for (int m = 0; m < Corner::modes; ++m)
       for (int i = 0; i < dim; ++i)
       {
         elastic_Q[m][i] = viscous_Q[m][i] = VDouble(0.);

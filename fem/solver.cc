@@ -138,9 +138,18 @@ template <int dim>
 void Solver<dim>::Implementation::review_erosion()
 {
   erosion.review(all(), face);
+  find_shown();
+}
+
+template <int dim>
+void Solver<dim>::Implementation::find_shown()
+{
   if (distribution.alone())
     return;
   std::vector<bool> seen(nodes.size(), false);
+  for (const auto &[name, asked] : followed)
+    for (const std::uint32_t a : asked)
+      seen[a] = true;
   for (const auto &facet : face.facets) // the whole elements: others may ride in them
   {
     const auto at = find(facet.element);
@@ -152,6 +161,13 @@ void Solver<dim>::Implementation::review_erosion()
     if (seen[a])
       at_surface.push_back(a);
   shown = distribution.list(at_surface);
+}
+
+template <int dim>
+void Solver<dim>::follow(const std::string &who, std::span<const std::uint32_t> nodes)
+{
+  self_->followed[who].assign(nodes.begin(), nodes.end());
+  self_->find_shown();
 }
 
 template <int dim>

@@ -105,6 +105,9 @@ public:
   };
   std::vector<AddedMass> added_masses() const;
 
+  /// Makes x and v of these nodes known on all ranks after each step from now on,
+  /// with those of the elements at the surface; replaces what `who` asked for before.
+  void follow(const std::string &who, std::span<const std::uint32_t> nodes);
   /// Makes x and v of all nodes known on all ranks.
   void refresh_all();
   /// What this rank has of the elements.

@@ -65,6 +65,7 @@ struct Solver<dim>::Implementation
   Distribution<dim>                      distribution;
   std::vector<GroupPlace>                places; ///< beside groups
   typename Distribution<dim>::NodeList   shown;  ///< nodes that all ranks know of
+  std::map<std::string, std::vector<std::uint32_t>> followed; ///< some of them, by who asks
   std::array<AlignedVector<double>, dim> total;  ///< N: of the elements of all ranks at t_n, slaves' with their masters
   std::vector<Order>                     weighed, damped;
   std::vector<int>                       mark_owners; ///< ranks of elements at the snapshot
@@ -157,6 +158,7 @@ struct Solver<dim>::Implementation
   void       build(std::vector<BodyMesh<dim>>);
   std::vector<std::uint32_t> wall_nodes(const std::vector<BodyMesh<dim>> &) const;
   void       review_erosion();
+  void       find_shown();
   /// After state was taken back or read.
   void state_was_changed()
   {

@@ -129,7 +129,7 @@ struct Solver<dim>::Implementation
   std::vector<double>        friction_share; ///< see share_friction(), of each wall
   std::vector<double>        press;     ///< velocity that wall w's images gave particle i in the kick
   AlignedVector<double>      force_records, viscous_records, sensor_records, stress_records, correction_records,
-    energy_records;
+    energy_records, record_damage;
   AlignedVector<double> gradient_sums, mass_sums, sensor_sums, force_sums, viscous_sums, mean_sums, power_sums;
   AlignedVector<double> unasked = AlignedVector<double>(simd_width); ///< see Sweep::viscosity_step
   AlignedVector<double> velocity_gradient; ///< column by column, corrected where the form is, 1/s

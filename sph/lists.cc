@@ -14,11 +14,11 @@ void Solver<dim>::Implementation::sort_particles()
   std::vector<std::uint32_t> order;
   for (const auto &b : bodies)
   {
-    const auto part = morton_order<dim>(x, b.first, b.last, b.list_radius, store.id);
+    const auto part = morton_order<dim>(x, b.first, b.last, b.spacing, store.id);
     order.insert(order.end(), part.begin(), part.end());
   }
   for_each_rider_range([&](const Body &b, std::size_t first, std::size_t last) {
-    const auto part = morton_order<dim>(x, first, last, b.list_radius, store.id);
+    const auto part = morton_order<dim>(x, first, last, b.spacing, store.id);
     order.insert(order.end(), part.begin(), part.end());
   });
   bool sorted = true;
@@ -126,6 +126,7 @@ void Solver<dim>::Implementation::rebuild_lists()
     sensor_records.assign((all + 1) * SensorLayout<dim>::stride, 0.);
   if (parameters.options.artificial_stress > 0)
     stress_records.assign((all + 1) * StressLayout<dim>::stride, 0.);
+  record_damage.assign(all + 1, 0.);
   energy_records.assign((all + 1) * L::energy_stride, 0.);
   size_pairs(pairs);
   index_of_id.assign(n_all(), Solver::elsewhere);
@@ -145,7 +146,7 @@ void Solver<dim>::Implementation::rebuild_lists()
 template <int dim>
 void Solver<dim>::Implementation::size_pairs(Pairs &p) const
 {
-  const std::size_t n = p.rows.index.size();
+  const std::size_t n = p.rows.half.empty() ? p.rows.index.size() : p.rows.half_at.back();
   p.hourglass.resize(n);
   if (!correction || parameters.options.shock_split != "none")
     p.viscosity.resize(n * viscous_terms);
@@ -277,14 +278,14 @@ void Solver<dim>::Implementation::reflect_motion()
 template <int dim>
 void Solver<dim>::Implementation::reflect_forces()
 {
-  exchange(force_records, L::force_stride, L::sound, L::n_force);
+  exchange(force_records, L::force_stride, L::sound, L::force_stride);
   for (std::size_t g = 0; g < ghosts.size(); ++g)
   {
     const double *from = &force_records[ghosts.parent[g] * L::force_stride];
     double       *to   = &force_records[(store.size() + g) * L::force_stride];
     const auto   &s    = ghosts.sign[g];
     to[L::sound]       = from[L::sound];
-    to[L::damage]      = from[L::damage];
+    record_damage[store.size() + g] = record_damage[ghosts.parent[g]];
     for (int a = 0; a < dim; ++a)
       for (int b = 0; b < dim; ++b)
       {
@@ -298,6 +299,7 @@ void Solver<dim>::Implementation::reflect_forces()
 template <int dim>
 void Solver<dim>::Implementation::reflect_shares()
 {
+  exchange(force_records, L::force_stride, L::sound, L::sound + 1);
   for (std::size_t g = 0; g < ghosts.size(); ++g)
     image_record(force_records, L::force_stride, g)[L::sound] = force_records[ghosts.parent[g] * L::force_stride + L::sound];
 }
@@ -312,6 +314,8 @@ Sweep Solver<dim>::Implementation::sweep_of(const Body &b, Pairs &p, double *sum
   s.row                = p.rows.row.data();
   s.index              = p.rows.index.data();
   s.half               = p.rows.half.data();
+  s.half_at            = p.rows.half_at.data();
+  s.damage             = record_damage.data();
   s.force_records      = force_records.data();
   s.correction_records = correction_records.data();
   s.energy_records     = energy_records.data();
@@ -348,6 +352,11 @@ template <int dim>
 Sweep Solver<dim>::Implementation::rider_sweep_of(const Body &b, double *sums)
 {
   Sweep s = sweep_of(b, pairs, sums);
+  if (joint) // nobody asks for the numbers of the riders' pairs
+  {
+    s.pair_hourglass = s.pair_viscosity = unasked.data();
+    s.hourglass_step = s.viscosity_step = 0;
+  }
   s.begin = b.first_rider;
   s.end   = b.last_rider;
   return s;

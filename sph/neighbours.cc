@@ -167,6 +167,7 @@ void halve(NeighbourRows &rows, std::size_t n)
 {
   std::vector<std::uint32_t> before;
   rows.half.resize(n);
+  rows.half_at.assign(n + 1, 0);
   for (std::size_t i = 0; i < n; ++i)
   {
     before.clear();
@@ -179,6 +180,7 @@ void halve(NeighbourRows &rows, std::size_t n)
     // The filling counts as beyond, too: nothing comes of it.
     rows.half[i] = static_cast<std::size_t>(to - rows.index.data());
     std::copy(before.begin(), before.end(), to);
+    rows.half_at[i + 1] = rows.half_at[i] + padded(rows.half[i] - rows.row[i]);
   }
 }
 

@@ -133,7 +133,7 @@ StepStatus Solver<dim>::Implementation::advance_material(double dt)
       {
         double      *record = &force_records[i * L::force_stride];
         record[L::sound]  = points.sound_speed[i] * (rides || seam_pairs(body, i) ? body.seam_hourglass : 1.) * shared(i);
-        record[L::damage] = points.damage[i];
+        record_damage[i] = points.damage[i];
         broken += points.damage[i] >= 1 && !rides;
         if (reference.on)
         {
@@ -176,7 +176,7 @@ void Solver<dim>::Implementation::energy(double kick)
   const std::size_t n = store.size();
   for (std::size_t i = 0; reference.on && i < n; ++i)
     energy_records[i * L::energy_stride + L::weight] = reference.volume[i];
-  exchange(energy_records, L::energy_stride, 0, L::weight + 1);
+  exchange(energy_records, L::energy_stride, 0, L::energy_stride);
   for (std::size_t g = 0; g < ghosts.size(); ++g)
   {
     const double *from = &energy_records[ghosts.parent[g] * L::energy_stride];

@@ -148,6 +148,23 @@ void turn(const T (&spin)[3], T (&Q)[Geometry<Element, T>::modes][Element::dim])
   }
 }
 
+/// What turns B_a into the linear part of the force on corner a, Pa.
+template <class Element, class T, class Shape>
+void force_density(const Shape &g, const T (&sigma)[6], const T (&Q)[Geometry<Element, T>::modes][Element::dim],
+                   T (&P)[Element::dim][Element::dim])
+{
+  constexpr int slot[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
+  const T       inverse    = 1. / g.volume;
+  for (int i = 0; i < Element::dim; ++i)
+    for (int j = 0; j < Element::dim; ++j)
+    {
+      T sum(0.);
+      for (int m = 0; m < Element::modes; ++m)
+        sum += Q[m][i] * g.skew[m][j];
+      P[i][j] = sum * inverse - sigma[slot[i][j]];
+    }
+}
+
 /// Forces (N) that an element with Cauchy stress sigma (xx yy zz xy yz zx,
 /// bulk viscosity already in it) puts on its corners.
 template <class Element, class T>
@@ -155,18 +172,9 @@ void corner_forces(const Geometry<Element, T> &g, const T (&sigma)[6],
                    const T (&Q)[Geometry<Element, T>::modes][Element::dim],
                    T (&force)[Element::corners][Element::dim])
 {
-  constexpr int dim          = Element::dim;
-  constexpr int slot[3][3]   = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
-  const T       inverse      = 1. / g.volume;
+  constexpr int dim = Element::dim;
   T             P[dim][dim];
-  for (int i = 0; i < dim; ++i)
-    for (int j = 0; j < dim; ++j)
-    {
-      T sum(0.);
-      for (int m = 0; m < Element::modes; ++m)
-        sum += Q[m][i] * g.skew[m][j];
-      P[i][j] = sum * inverse - sigma[slot[i][j]];
-    }
+  force_density<Element, T>(g, sigma, Q, P);
   for (int a = 0; a < Element::corners; ++a)
     for (int i = 0; i < dim; ++i)
     {
@@ -196,6 +204,30 @@ struct Gram
 };
 
 template <class Element, class T>
+Gram<Element, T> bounds_of(const T (&G)[Element::dim][Element::dim], T hoop_part, T cross)
+{
+  constexpr int dim = Element::dim;
+  T trace = G[0][0];
+  for (int i = 1; i < dim; ++i)
+    trace += G[i][i];
+  // Largest eigenvalue <= mean + sqrt((d-1)/d) |deviator|: exact where all but
+  // one agree, and independent of the frame.
+  T deviator(0.);
+  for (int i = 0; i < dim; ++i)
+    for (int j = 0; j < dim; ++j)
+    {
+      const T entry = i == j ? T(G[i][i] - trace * (1. / dim)) : G[i][j];
+      deviator += entry * entry;
+    }
+  using std::sqrt;
+  Gram<Element, T> result;
+  result.trace      = trace;
+  result.largest    = trace * (1. / dim) + sqrt(deviator * (1. - 1. / dim)) + hoop_part;
+  result.divergence = trace + hoop_part + 2. * cross;
+  return result;
+}
+
+template <class Element, class T>
 Gram<Element, T> gram(const Geometry<Element, T> &g, const T *weight)
 {
   constexpr int dim     = Element::dim;
@@ -218,24 +250,7 @@ Gram<Element, T> gram(const Geometry<Element, T> &g, const T *weight)
       hoop_part += weight[a] * g.hoop[a] * g.hoop[a] * inverse;
       cross += weight[a] * g.hoop[a] * g.B[a][0] * inverse;
     }
-  T trace = G[0][0];
-  for (int i = 1; i < dim; ++i)
-    trace += G[i][i];
-  // Largest eigenvalue <= mean + sqrt((d-1)/d) |deviator|: exact where all but
-  // one agree, and independent of the frame.
-  T deviator(0.);
-  for (int i = 0; i < dim; ++i)
-    for (int j = 0; j < dim; ++j)
-    {
-      const T entry = i == j ? T(G[i][i] - trace * (1. / dim)) : G[i][j];
-      deviator += entry * entry;
-    }
-  using std::sqrt;
-  Gram<Element, T> result;
-  result.trace      = trace;
-  result.largest    = trace * (1. / dim) + sqrt(deviator * (1. - 1. / dim)) + hoop_part;
-  result.divergence = trace + hoop_part + 2. * cross;
-  return result;
+  return bounds_of<Element, T>(G, hoop_part, cross);
 }
 
 /// Edge length of the cube with the same sum |b|^2 (of the unit Gram matrix).

@@ -18,6 +18,7 @@ template <int dim, class Kernel>
     const double *own = s.correction_records + i * L::correction_stride;
     const HalfRow row(s, i);
     VDouble       sum[padded(dim)];
+#pragma GCC unroll 32
     for (auto &a : sum)
       a = 0.;
     for (std::size_t p = row.begin; p < row.end; p += simd_width)
@@ -27,6 +28,7 @@ template <int dim, class Kernel>
       for (int a = 0; a < dim; ++a)
         r2 += (own[L::x + a] - j[L::x + a]) * (own[L::x + a] - j[L::x + a]);
       const VDouble k = row.mine(p, weight(own, j, VDouble(r2 * kernel.inverse_distance(r2))));
+#pragma GCC unroll 32
       for (auto &a : pair)
         a = 0.;
       for (int a = 0; a < dim; ++a)

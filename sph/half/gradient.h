@@ -18,6 +18,7 @@ template <int dim, class Kernel>
     const double *own = s.force_records + i * L::force_stride;
     const HalfRow row(s, i);
     VDouble       sum[L::gradient_stride];
+#pragma GCC unroll 32
     for (auto &a : sum)
       a = 0.;
     for (std::size_t p = row.begin; p < row.end; p += simd_width)
@@ -48,10 +49,13 @@ template <int dim, class Kernel>
       }
       pair[L::shepard_sum]   = w;
       pair[L::stiffness_sum] = -g * r;
+#pragma GCC unroll 32
       for (int f = 0; f < n_sums; ++f)
         sum[f] += j[L::weight] * pair[f];
+#pragma GCC unroll 32
       for (int f = 0; f < n_sums; ++f)
         pair[f] *= f >= L::normal_sum && f < L::normal_sum + dim ? -own[L::weight] : own[L::weight];
+#pragma GCC unroll 32
       for (int f = n_sums; f < static_cast<int>(L::gradient_stride); ++f)
         pair[f] = 0.;
       add_records<n_sums>(pair, s.sums, L::gradient_stride, s.index + p);

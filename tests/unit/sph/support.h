@@ -253,6 +253,9 @@ public:
   std::vector<double>       doubles(const std::string &name) const override { return doubles_.at(name); }
   std::vector<std::int64_t> integers(const std::string &name) const override { return integers_.at(name); }
 
+  const std::map<std::string, std::vector<double>>       &all_doubles() const { return doubles_; }
+  const std::map<std::string, std::vector<std::int64_t>> &all_integers() const { return integers_; }
+
 private:
   std::map<std::string, std::vector<double>>       doubles_;
   std::map<std::string, std::vector<std::int64_t>> integers_;
