@@ -311,6 +311,7 @@ io::Summary Run<dim>::finish()
   {
     RankShare own = model_.share();
     traffic_.tell(own);
+    own.memory = peak_memory();
     summary.shares = ranks_.gather_one(own);
   }
   summary.certificates                 = certificates_;
