@@ -11,9 +11,11 @@ namespace ogive::coupling
 {
 namespace
 {
-// Share of the longest reach by which points may move before it is settled anew
-// who matters.
-constexpr double slack_share = .5;
+// Share of the longest reach by which points may come nearer before it is settled
+// anew who matters.
+constexpr double slack_share = .25;
+// Cells about facets are this much finer than what is near them.
+constexpr double fine = .25;
 
 template <int dim>
 Point<dim> place_of(const Surface<dim> &surface, std::size_t i)
@@ -156,7 +158,7 @@ std::vector<char> CommonParticles<dim>::chosen(const Surface<dim> &own, const Su
     else
       w.party == mesh_party ? near_mesh(w, own, mesh, boxes, take) : near_particles(w, own, boxes, take);
   for (const auto &[name, seam] : seams_)
-    near_facets(seam.body, seam.facets, (1 + slack_share) * seam.reach, own, mesh, boxes, take);
+    near_facets(seam.body, seam.facets, seam.reach, own, mesh, boxes, take);
   return take;
 }
 
@@ -187,7 +189,7 @@ void CommonParticles<dim>::near_facets(int body, const std::vector<Facet> &facet
     all.include(around[f].lower);
     all.include(around[f].upper);
   }
-  MarkedCells<dim> cells(common_part(all, boxes[static_cast<std::size_t>(body)]), far);
+  MarkedCells<dim> cells(common_part(all, boxes[static_cast<std::size_t>(body)]), fine * far);
   for (const auto &box : around)
     cells.mark(box);
   for (std::size_t i = 0; i < own.n; ++i)

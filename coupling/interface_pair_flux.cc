@@ -16,6 +16,9 @@ namespace ogive::coupling
 {
 namespace
 {
+/// Feet are sought within this of the reach of a pair: riders stand behind the seam.
+constexpr double foot_reach = 1.5;
+
 std::vector<AlignedVector<double> *> fields_of(materials::Points &points)
 {
   std::vector<AlignedVector<double> *> all;
@@ -125,8 +128,7 @@ void PairFluxInterface<dim>::sort_by_host()
 template <int dim>
 void PairFluxInterface<dim>::tell_ports()
 {
-  // Feet are found within 1.5 of the reach of a pair, by boxes.
-  particles_.attend_seam(spec_.name, {spec_.particles, seam_, 2 * particles_.lattice(spec_.particles).reach});
+  particles_.attend_seam(spec_.name, {spec_.particles, seam_, foot_reach * particles_.lattice(spec_.particles).reach});
   std::vector<std::uint32_t> nodes;
   for (const auto &rider : riders_)
     nodes.insert(nodes.end(), rider.host.node.begin(), rider.host.node.end());
@@ -198,7 +200,7 @@ void PairFluxInterface<dim>::find_feet(const Faces<dim> &faces)
   for (std::size_t q = 0; q < points.size(); ++q)
   {
     queries[q].include(faces.position(particle_party, points[q]));
-    queries[q].inflate(1.5 * reach);
+    queries[q].inflate(foot_reach * reach);
   }
   for (std::size_t f = 0; f < seam_.size(); ++f)
     for (const std::uint32_t i : seam_[f].node)

@@ -35,7 +35,8 @@ struct GroupPlace
   std::size_t first_element = 0; ///< global id of the group's first element
   std::size_t grave         = 0; ///< first of 2^dim nodes where the dead of an eroding body rest
   /// On ranks, which have a part of the body each, or nothing of it; else none.
-  const SharedNodes *shared = nullptr;
+  const SharedNodes                *shared = nullptr;
+  const std::vector<std::uint32_t> *own    = nullptr; ///< which of the body's elements are here
 };
 
 /// The elements of one body in one formulation, with their history. One virtual

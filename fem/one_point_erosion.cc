@@ -21,6 +21,7 @@ void OnePointGroup<Element>::prepare_erosion(Nodes<dim> &nodes)
   const std::size_t heaviest = std::max_element(mass_.begin(), mass_.begin() + n_) - mass_.begin();
   if (n_ > 0)
   {
+    model_.element = own_elements_ ? (*own_elements_)[heaviest] : heaviest;
     model_.mass    = mass_[heaviest];
     model_.inertia = inertia_.empty() ? 0. : inertia_[heaviest];
     for (int a = 0; a < corners; ++a)
@@ -32,7 +33,7 @@ void OnePointGroup<Element>::prepare_erosion(Nodes<dim> &nodes)
   }
   if (shared_)
     for (const auto all = shared_->ranks().gather_one(std::exchange(model_, Model{})); const Model &other : all)
-      if (other.mass > model_.mass) // of equals the first: the same everywhere
+      if (other.mass > model_.mass || (other.mass == model_.mass && other.element < model_.element))
         model_ = other;
   for (int a = 0; a < corners; ++a)
     for (int i = 0; i < dim; ++i)

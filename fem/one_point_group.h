@@ -127,6 +127,7 @@ private:
   int                                        body_;
   std::size_t                                n_, padded_n_, first_element_, first_node_;
   const SharedNodes                         *shared_;
+  const std::vector<std::uint32_t>          *own_elements_;
   std::shared_ptr<const materials::Material> material_;
   input::FemOptions                          options_;
   AnyBulkViscosity                           bulk_;
@@ -164,6 +165,7 @@ private:
   std::size_t                grave_;   ///< its first node
   struct Model                         ///< the element whose shape it has
   {
+    std::size_t element = 0;           ///< within the body
     double mass = -1, inertia = 0;     ///< kg
     double corner_mass[corners] = {};  ///< kg, axial symmetry only
     double x[corners][dim]      = {};  ///< m

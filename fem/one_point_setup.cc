@@ -20,6 +20,7 @@ OnePointGroup<Element>::OnePointGroup(const BodyMesh<dim> &mesh, const GroupPlac
   , first_element_(place.first_element)
   , first_node_(place.first_node)
   , shared_(place.shared)
+  , own_elements_(place.own)
   , material_(mesh.material)
   , options_(options)
   , bulk_(bulk_viscosity(options))

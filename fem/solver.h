@@ -123,6 +123,8 @@ public:
     std::size_t moves      = 0; ///< how often elements were shared anew
   };
   Share share() const;
+  /// Whether this rank moves a node itself.
+  bool keeps(std::uint32_t node) const;
 
   /// The inertia of a tied particle joins the nodes that carry it. Once, before the first step.
   void add_mass(std::uint32_t node, double mass);

@@ -122,6 +122,7 @@ struct Solver<dim>::Implementation
   void              complete_forces();
   void              complete_motion(); ///< x and v of all nodes on all ranks
   void              fold_total();
+  void              find_shown();
   void              show();
   StepStatus        agree(const StepStatus &) const;
   Culprit           numbered(Culprit) const;
