@@ -150,6 +150,7 @@ std::string Model<dim>::review()
   template StepLimit   Model<d>::stable_dt() const;                                                          \
   template StepStatus  Model<d>::step(const TimeStep &);                                                     \
   template double      Model<d>::parts_error(Party) const;                                                   \
+  template RankShare   Model<d>::share() const;                                                              \
   template std::string Model<d>::review();
 OGIVE_INSTANTIATE(1)
 OGIVE_INSTANTIATE(2)

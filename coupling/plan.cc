@@ -3,8 +3,6 @@
 #include "coupling/run_report.h"
 #include "coupling/run_support.h"
 
-#include <sys/resource.h>
-
 #include <chrono>
 #include <cmath>
 
@@ -41,10 +39,7 @@ Plan make_plan(const input::Scene &scene)
     clock.advance();
   }
   plan.seconds_per_step = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / trials;
-
-  rusage usage;
-  getrusage(RUSAGE_SELF, &usage);
-  plan.memory_bytes = 1024. * static_cast<double>(usage.ru_maxrss);
+  plan.memory_bytes     = peak_memory();
   return plan;
 }
 } // namespace

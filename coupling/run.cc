@@ -311,6 +311,7 @@ io::Summary Run<dim>::finish()
   {
     RankShare own = model_.share();
     traffic_.tell(own);
+    own.memory = peak_memory();
     summary.shares = ranks_.gather_one(own);
   }
   if (const std::uint64_t updates = model_.element_updates(); updates > 0)

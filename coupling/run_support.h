@@ -5,6 +5,8 @@
 #include "core/time/clock.h"
 #include "coupling/model.h"
 
+#include <sys/resource.h>
+
 #include <map>
 #include <string>
 
@@ -17,6 +19,14 @@ inline StepControl step_control(const input::Scene &scene)
   for (const input::Body &body : scene.bodies)
     control.bodies.push_back(body.name);
   return control;
+}
+
+/// The most memory that this process ever held, bytes.
+inline double peak_memory()
+{
+  rusage usage;
+  getrusage(RUSAGE_SELF, &usage);
+  return 1024. * static_cast<double>(usage.ru_maxrss);
 }
 
 /// By mass scaling, by the name of the body.

@@ -100,7 +100,8 @@ Json to_json(const std::vector<RankShare> &shares)
                      {"bytes_per_step", number(s.bytes)},
                      {"joint_operations_per_step", number(s.together)},
                      {"solver_s", number(s.solver_s)},
-                     {"waited_s", number(s.waited_s)}});
+                     {"waited_s", number(s.waited_s)},
+                     {"memory_bytes", number(s.memory)}});
   return {{"imbalance",
            {{"particle_work", number(imbalance(shares, [](auto &s) { return s.particle_work; }))},
             {"element_work", number(imbalance(shares, [](auto &s) { return s.element_work; }))},

@@ -17,6 +17,7 @@ struct RankShare
   double       messages = 0, bytes = 0, together = 0; ///< a step: messages sent, bytes in them, operations of all
   double       solver_s = 0; ///< processor time in both solvers
   double       waited_s = 0; ///< wall time of steps spent in messages, waiting included
+  double       memory   = 0; ///< most that the process ever held, bytes
 };
 
 /// Sums up what this rank tells others between begin() and end().
