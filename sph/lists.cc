@@ -105,6 +105,9 @@ template <int dim>
 void Solver<dim>::Implementation::rebuild_lists()
 {
   const std::size_t n = store.size();
+  // Joint forces know no shares and one sound speed a particle.
+  joint = joint_possible() && energy_share.empty() &&
+          std::all_of(bodies.begin(), bodies.end(), [](const Body &b) { return b.seam_hourglass == 1; });
   ghosts.clear();
   std::array<std::span<const double>, dim> listed;
   for (int a = 0; a < dim; ++a)
