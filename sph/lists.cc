@@ -82,6 +82,9 @@ template <int dim>
 void Solver<dim>::Implementation::rebuild_lists()
 {
   const std::size_t n = store.size();
+  // Joint forces know no shares and one sound speed a particle.
+  joint = joint_possible() && energy_share.empty() &&
+          std::all_of(bodies.begin(), bodies.end(), [](const Body &b) { return b.seam_hourglass == 1; });
   ghosts.clear();
   find_near_walls();
   const bool listed_riders = !images.empty() && images.back().bits == 0;
