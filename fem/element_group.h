@@ -35,7 +35,8 @@ struct GroupPlace
   std::size_t first_element = 0; ///< global id of the group's first element
   std::size_t grave         = 0; ///< first of 2^dim nodes where the dead of an eroding body rest
   /// On ranks, which have a part of the body each, or nothing of it; else none.
-  const SharedNodes *shared = nullptr;
+  const SharedNodes                *shared = nullptr;
+  const std::vector<std::uint32_t> *own    = nullptr; ///< which of the body's elements are here
 };
 
 /// The elements of one body in one formulation, with their history. One virtual
@@ -135,6 +136,10 @@ public:
   virtual void sum_forces() {}
   /// After the state was read or taken back: sorts the living from the dead.
   virtual void rebury() {}
+  /// After the state was read or taken back: elements that slept are computed again.
+  virtual void wake() {}
+  /// Elements that the last advance() left out, since nothing has reached them.
+  virtual std::size_t skipped() const { return 0; }
 };
 
 /// Elements of the formulation that the mesh names (input::Body::element).

@@ -21,6 +21,7 @@ void OnePointGroup<Element>::prepare_erosion(Nodes<dim> &nodes)
   const std::size_t heaviest = std::max_element(mass_.begin(), mass_.begin() + n_) - mass_.begin();
   if (n_ > 0)
   {
+    model_.element = own_elements_ ? (*own_elements_)[heaviest] : heaviest;
     model_.mass    = mass_[heaviest];
     model_.inertia = inertia_.empty() ? 0. : inertia_[heaviest];
     for (int a = 0; a < corners; ++a)
@@ -32,7 +33,7 @@ void OnePointGroup<Element>::prepare_erosion(Nodes<dim> &nodes)
   }
   if (shared_)
     for (const auto all = shared_->ranks().gather_one(std::exchange(model_, Model{})); const Model &other : all)
-      if (other.mass > model_.mass) // of equals the first: the same everywhere
+      if (other.mass > model_.mass || (other.mass == model_.mass && other.element < model_.element))
         model_ = other;
   for (int a = 0; a < corners; ++a)
     for (int i = 0; i < dim; ++i)
@@ -89,6 +90,7 @@ auto OnePointGroup<Element>::kill(std::size_t e) -> Remains
   for (std::size_t k = e; k < (e + 1 == n_ ? padded_n_ : e + 1); ++k)
   {
     alive_[k] = 0;
+    quiet_.moved(k / (width * block_packs));
     material_->initialise(points_, k, k + 1);
     for (AlignedVector<double> *field :
          {&viscous_pressure_, &half_power_, &half_hourglass_, &half_viscous_, &hourglass_energy_, &viscous_heat_})

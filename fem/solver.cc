@@ -72,8 +72,12 @@ void Solver<dim>::Implementation::place_bodies(std::vector<BodyMesh<dim>> &meshe
   std::size_t n_all = n_nodes; // with the graves of eroding bodies
   for (std::size_t b = 0; b < meshes.size(); ++b)
   {
-    places.push_back(
-      {first_node[b], parts[b].first_element, n_all, distribution.alone() ? nullptr : &distribution.shared()});
+    places.push_back({first_node[b], parts[b].first_element, n_all});
+    if (!distribution.alone())
+    {
+      places[b].shared = &distribution.shared();
+      places[b].own    = &distribution.bodies()[b].own;
+    }
     n_all += meshes[b].loses_elements() ? ElementGroup<dim>::corners : 0;
   }
   nodes.resize(n_all);
@@ -268,6 +272,7 @@ StepStatus Solver<dim>::Implementation::advance_elements(const TimeStep &step)
     if (!status.ok && first.ok) // other ranks wait for the rest of the step
       first = status;
     updates += group->size();
+    skipped += group->skipped();
   }
   complete_forces();
   return first;

@@ -95,6 +95,9 @@ public:
   Sample        sample(int body) const;
   std::size_t   size() const;
   std::uint64_t updates() const;
+  /// Those of them since this solver was built that were left out, since nothing
+  /// had reached the element (FEM/quiescent skip).
+  std::uint64_t skipped() const;
 
   /// Mass that bodies were given for the sake of the step (FEM/mass scaling
   /// step): bodies with some, and the mass over what they had, before ties.
@@ -123,6 +126,8 @@ public:
     std::size_t moves      = 0; ///< how often elements were shared anew
   };
   Share share() const;
+  /// Whether this rank moves a node itself.
+  bool keeps(std::uint32_t node) const;
 
   /// The inertia of a tied particle joins the nodes that carry it. Once, before the first step.
   void add_mass(std::uint32_t node, double mass);

@@ -119,7 +119,9 @@ void Solver<dim>::Implementation::rebuild_groups(std::span<const int> owners)
   for (auto &component : total)
     std::fill(component.begin(), component.end(), 0.);
   const AlignedVector<double> mass = nodes.mass;
-  std::swap(nodes.x, nodes.x0); // shape and masses are those of the undeformed state
+  const auto                  x    = nodes.x;
+  for (int i = 0; i < dim; ++i) // shape and masses are those of the undeformed state
+    std::copy(nodes.x0[i].begin(), nodes.x0[i].end(), nodes.x[i].begin());
   groups.clear();
   for (std::size_t b = 0; b < places.size(); ++b)
   {
@@ -129,7 +131,8 @@ void Solver<dim>::Implementation::rebuild_groups(std::span<const int> owners)
     if (mesh.loses_elements())
       groups[b]->prepare_erosion(nodes);
   }
-  std::swap(nodes.x, nodes.x0);
+  for (int i = 0; i < dim; ++i)
+    std::copy(x[i].begin(), x[i].end(), nodes.x[i].begin());
   for (const Order &order : weighed)
     for (std::size_t g = 0; g < groups.size(); ++g)
       if (groups[g]->body() == order.body)
@@ -139,6 +142,7 @@ void Solver<dim>::Implementation::rebuild_groups(std::span<const int> owners)
       if (groups[g]->body() == order.body)
         groups[g]->damp(own_of(g, order.elements), order.shares.at(0));
   std::copy(mass.begin(), mass.end(), nodes.mass.begin());
+  find_shown();
 }
 
 template <int dim>
@@ -188,11 +192,18 @@ auto Solver<dim>::share() const -> Share
   return share;
 }
 
+template <int dim>
+bool Solver<dim>::keeps(std::uint32_t node) const
+{
+  return self_->nodes.keeps(node);
+}
+
 #define OGIVE_INSTANTIATE(d)                                                              \
   template std::vector<int> Solver<d>::Implementation::partition() const;                 \
   template void             Solver<d>::Implementation::share_out();                       \
   template void             Solver<d>::Implementation::rebuild_groups(std::span<const int>); \
   template void             Solver<d>::Implementation::look_at_shares();                  \
+  template bool             Solver<d>::keeps(std::uint32_t) const;                        \
   template auto             Solver<d>::share() const->Share;
 OGIVE_INSTANTIATE(1)
 OGIVE_INSTANTIATE(2)

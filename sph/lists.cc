@@ -278,7 +278,7 @@ void Solver<dim>::Implementation::reflect_motion()
 template <int dim>
 void Solver<dim>::Implementation::reflect_forces()
 {
-  exchange(force_records, L::force_stride, L::sound, L::force_stride);
+  exchange(force_records, L::force_stride, L::n_motion, L::force_stride);
   for (std::size_t g = 0; g < ghosts.size(); ++g)
   {
     const double *from = &force_records[ghosts.parent[g] * L::force_stride];
