@@ -284,6 +284,7 @@ template <int dim>
 void Solver<dim>::Implementation::reflect_forces()
 {
   exchange(force_records, L::force_stride, L::n_motion, L::force_stride);
+  exchange(record_damage, 1, 0, 1);
   for (std::size_t g = 0; g < ghosts.size(); ++g)
   {
     const double *from = &force_records[ghosts.parent[g] * L::force_stride];
