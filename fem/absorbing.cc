@@ -52,7 +52,7 @@ std::size_t AbsorbingFaces<dim>::slot(std::uint32_t node)
 template <int dim>
 void AbsorbingFaces<dim>::apply(const TimeStep &step, const PrescribedMotion<dim> &prescribed,
                                 const Constraints<dim> &constraints, Nodes<dim> &nodes,
-                                const std::array<AlignedVector<double>, dim> &v_old)
+                                const std::array<AlignedVector<double>, dim> &v_old, const Turn *turn)
 {
   std::fill(damping_.begin(), damping_.end(), Matrix::Zero());
   for (const Facet &f : facets_)
@@ -71,6 +71,8 @@ void AbsorbingFaces<dim>::apply(const TimeStep &step, const PrescribedMotion<dim
   for (std::size_t k = 0; k < nodes_.size(); ++k)
   {
     const std::uint32_t a = nodes_[k];
+    if (turn && !turn->takes(a))
+      continue;
     impulse_[k].setZero();
     if (constraints.is_slave(a))
       continue;
@@ -94,10 +96,10 @@ void AbsorbingFaces<dim>::apply(const TimeStep &step, const PrescribedMotion<dim
 }
 
 template <int dim>
-void AbsorbingFaces<dim>::book(const Nodes<dim> &nodes, BoundaryWork &work) const
+void AbsorbingFaces<dim>::book(const Nodes<dim> &nodes, BoundaryWork &work, const Turn *turn) const
 {
   for (std::size_t k = 0; k < nodes_.size(); ++k)
-    for (int i = 0; i < dim; ++i)
+    for (int i = 0; i < dim && (!turn || turn->takes(nodes_[k])); ++i)
     {
       work.absorbed -= impulse_[k][i] * nodes.v_mean[i][nodes_[k]];
       work.impulse[i] += impulse_[k][i];

@@ -50,6 +50,12 @@ public:
   Remains remains(std::size_t e) const override;
   bool    alive(std::size_t e) const override { return alive_.empty() || alive_[e] > 0; }
   void    sum_forces() override;
+
+  bool                    steps_locally() const override;
+  std::span<const double> bounds() const override { return {bound_.data(), bound_.empty() ? 0 : n_}; }
+  double                  half_power() const override;
+  void take_over(ElementGroup<dim> &, std::span<const std::pair<std::uint32_t, std::uint32_t>>) override;
+  void settle() override;
   void    rebury() override;
 
 private:
@@ -73,6 +79,8 @@ private:
   static VDouble load(const double *p) { return VDouble(p, stdx::vector_aligned); }
   static void    store(VDouble v, double *p) { v.copy_to(p, stdx::vector_aligned); }
 
+  template <class F>
+  void    for_each_element_array(F &&);
   void    find_rows();
   void    scatter(std::size_t begin, std::size_t count);
   void    scatter_shares(std::size_t begin, std::size_t count);
@@ -130,7 +138,7 @@ private:
   AlignedVector<double>      corner_force_; ///< N at t_n, packs of corners x dim
   std::array<AlignedVector<double>, dim> nodal_force_; ///< N at t_n, sums over the corners at the body's nodes
   std::vector<double>   ring_mass_, section_mass_; ///< kg, kg/m at the body's nodes; area-weighted only
-  std::vector<double>   share_;             ///< see ElementGroup::weigh; empty: 1
+  AlignedVector<double> share_;             ///< see ElementGroup::weigh; empty: 1
   AlignedVector<double> Q_;                 ///< hourglass forces, N, packs of modes x dim
   AlignedVector<double> viscous_pressure_;  ///< Pa
   AlignedVector<double> damping_share_; ///< see damp(); empty: none
@@ -148,7 +156,7 @@ private:
   // A dead element is a virgin one that rests at nodes of its own: the loops
   // over packs need no branch and no mask.
   std::size_t                grave_, model_ = 0; ///< its first node; the element whose shape it has
-  bool                       by_step_; ///< elements may leave by their bound of the step
+  bool                       by_step_; ///< the bound of each element is kept: elements may leave by it, or step by it
   std::vector<std::uint32_t> own_;     ///< node_ while all live; empty where none can die
   AlignedVector<double>      alive_;   ///< 1 or 0, empty where none can die
   AlignedVector<double>      bound_;   ///< 2/dt of each element, 1/s; where by_step_

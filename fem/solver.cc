@@ -19,6 +19,34 @@ Solver<dim>::Solver(const Parameters &parameters, std::vector<BodyMesh<dim>> mes
 template <int dim>
 Solver<dim>::~Solver() = default;
 
+namespace
+{
+/// Whether the scene wants elements to step by their own bounds. "auto" does
+/// without where they cannot; InputError where a ratio is named.
+template <int dim>
+bool can_step_locally(const input::FemOptions &options, const std::vector<BodyMesh<dim>> &meshes)
+{
+  if (options.local_steps == "none")
+    return false;
+  std::string fault;
+  if (options.correction != "none")
+    fault = "FEM/correction needs the accelerations of all elements at one time";
+  if (options.step_bound != "element")
+    fault = "\"step bound = " + options.step_bound + "\" is one of the whole mesh";
+  for (const auto &mesh : meshes)
+    if (mesh.element == "spectral" || (dim > 1 && mesh.element != "one-point"))
+      fault = "the " + mesh.element + " elements of a body cannot be parted into groups";
+    else if (mesh.loses_elements())
+      fault = "elements of a body may leave the mesh (erosion, or method auto), between steps of all";
+  if (fault.empty())
+    return true;
+  if (options.local_steps == "auto")
+    return false;
+  throw InputError({"", 0, "FEM/local steps"}, "is " + options.local_steps + ", but " + fault,
+                   "FEM/local steps = none or auto", "or one-point elements that stay, step bound = element, correction = none");
+}
+} // namespace
+
 template <int dim>
 void Solver<dim>::Implementation::build(std::vector<BodyMesh<dim>> meshes)
 {
@@ -47,6 +75,7 @@ void Solver<dim>::Implementation::build(std::vector<BodyMesh<dim>> meshes)
     v_old[i].resize(n_all, 0.);
     load[i].resize(n_all, 0.);
   }
+  local.on = can_step_locally(parameters.options, meshes);
   for (std::size_t b = 0; b < meshes.size(); ++b)
   {
     const auto &mesh = meshes[b];
@@ -62,6 +91,9 @@ void Solver<dim>::Implementation::build(std::vector<BodyMesh<dim>> meshes)
       }
     }
     groups.push_back(make_element_group<dim>(mesh, place[b], parameters.options));
+    if (local.on)
+      groups.back() =
+        std::make_unique<ClassedGroup<dim>>(mesh, place[b], parameters.options, std::move(groups.back()));
     groups.back()->initialise(nodes);
     groups.back()->lump_mass(nodes);
     if (const double added = groups.back()->added_mass(); added > 0)
@@ -93,6 +125,8 @@ void Solver<dim>::Implementation::build(std::vector<BodyMesh<dim>> meshes)
       nodes.held[i][a] = prescribed.prescribed(a, i);
   if (parameters.options.step_bound == "power-iteration")
     sharpening[0] = std::max(1., find_critical(1e-6, 5000).dt / element_limit().dt);
+  if (local.on)
+    begin_local_steps();
 }
 
 // Nodes of bodies that lose elements may come to the surface.
@@ -121,9 +155,10 @@ void Solver<dim>::Implementation::review_erosion()
 template <int dim>
 StepLimit Solver<dim>::Implementation::element_limit() const
 {
-  StepLimit limit;
+  StepLimit limit = local.on ? local_limit() : StepLimit();
   for (const auto &group : groups)
-    limit.tighten(group->stable_dt());
+    if (!local.on)
+      limit.tighten(group->stable_dt());
   if (limit.culprit.id >= 0)
     for (std::size_t g = 0; g < groups.size(); ++g)
       if (groups[g]->body() == limit.culprit.body)
@@ -184,6 +219,8 @@ void Solver<dim>::Implementation::sharpen()
 template <int dim>
 StepStatus Solver<dim>::step(const TimeStep &step)
 {
+  if (self_->local.on)
+    return self_->step_locally(step);
   self_->kick(step);
   self_->place(step, step);
   const StepStatus status = self_->advance_elements(step);
