@@ -90,7 +90,15 @@ public:
   std::uint64_t particle_updates() const { return sph_ ? sph_->updates() : 0; }
   std::uint64_t element_updates() const { return fem_ ? fem_->updates() : 0; }
   double        sph_seconds() const { return sph_seconds_; } ///< processor time spent in the particle solver
-  double        fem_seconds() const { return fem_seconds_; }
+  /// Who steps how often.
+  const Subcycling                        &subcycling() const { return subcycling_; }
+  typename fem::Solver<dim>::LocalPlan     local_plan() const
+  {
+    return fem_ ? fem_->local_plan() : typename fem::Solver<dim>::LocalPlan{};
+  }
+  double elements_dt() const { return fem_ ? fem_->stable_dt().dt : 0.; }  ///< bound of their steps, s; none: 0
+  double particles_dt() const { return sph_ ? sph_->stable_dt().dt : 0.; }
+  double fem_seconds() const { return fem_seconds_; }
 
 private:
   /// `moves`: of points that would overlap.
@@ -110,6 +118,7 @@ private:
   std::unique_ptr<Coupler<dim>>      coupler_;
   Subcycling                         subcycling_;
   std::size_t                        parts_ = 1;
+  double                             parts_reference_ = 0, parts_limit_ = 0; ///< J at the start; share of it
   std::vector<std::string>           mesh_notes_;
   double                             sph_seconds_ = 0, fem_seconds_ = 0;
 };

@@ -15,7 +15,6 @@ using Classes = std::vector<std::vector<unsigned char>>; ///< of the elements of
 
 constexpr double margin = .8;   ///< a class steps by at most this share of a new element's bound
 constexpr double worth  = .9;   ///< of the effort: classes that cost more than that are not changed
-constexpr double dull   = .02;  ///< linear bulk viscosity below which classes overlap
 constexpr double extra  = 1.05; ///< effort of steps in parts, besides their elements
 constexpr double every  = 20;   ///< steps between two looks at the classes
 
@@ -50,7 +49,6 @@ void Solver<dim>::Implementation::begin_local_steps()
   const auto &options = parameters.options;
   local.chosen        = options.local_steps == "auto";
   local.most          = static_cast<unsigned char>(local.chosen ? 3 : std::lround(std::log2(std::stod(options.local_steps))));
-  local.overlap       = options.bulk_viscosity == "none" || options.bulk_linear < dull;
   local.state.count   = every - 3; // a first look soon: others may hold the step
   for (int i = 0; i < dim; ++i)
   {
@@ -142,8 +140,7 @@ void Solver<dim>::Implementation::spread_classes(Classes &classes, int most) con
   };
   for (int level = 0; level < most; ++level)
   {
-    if (local.overlap)
-      pull(level, level);
+    pull(level, level);
     pull(level, level + 1);
   }
 }
@@ -302,7 +299,49 @@ void Solver<dim>::Implementation::review_classes(double whole)
     arrange(fresh);
 }
 
+template <int dim>
+auto Solver<dim>::local_plan() const -> LocalPlan
+{
+  const auto &s = *self_;
+  LocalPlan   plan;
+  plan.on = s.local.on;
+  if (!plan.on)
+    return plan;
+  plan.elements.assign(s.local.top + std::size_t(1), 0);
+  double least = std::numeric_limits<double>::infinity(), updates = 0;
+  for (const auto &unit : s.local.units)
+  {
+    const std::size_t n = s.classed(unit.body)->classes()[unit.of].elements.size();
+    plan.elements[unit.of] += n;
+    updates += std::ldexp(static_cast<double>(n), s.local.top - static_cast<int>(unit.of));
+    least = std::min(least, s.classed(unit.body)->stable_dt_of(unit.of).dt);
+  }
+  plan.part    = stable_dt().dt / std::ldexp(1., s.local.top);
+  plan.updates = updates / static_cast<double>(size()) * least / s.local_limit().dt;
+  return plan;
+}
+
+template <int dim>
+bool Solver<dim>::steps_locally() const
+{
+  return self_->local.on && self_->local.state.ended == 0;
+}
+
+template <int dim>
+void Solver<dim>::end_local_steps()
+{
+  auto   &s = *self_;
+  Classes alike;
+  for (std::size_t g = 0; g < s.groups.size(); ++g)
+    alike.emplace_back(s.groups[g]->size(), static_cast<unsigned char>(0));
+  s.arrange(alike);
+  s.local.state.ended = 1;
+}
+
 #define OGIVE_INSTANTIATE(d)                                                                                    \
+  template auto Solver<d>::local_plan() const -> LocalPlan;                                                    \
+  template bool Solver<d>::steps_locally() const;                                                              \
+  template void Solver<d>::end_local_steps();                                                                  \
   template void               Solver<d>::Implementation::begin_local_steps();                                  \
   template ClassedGroup<d>   *Solver<d>::Implementation::classed(std::size_t) const;                           \
   template void               Solver<d>::Implementation::arrange(const Classes &);                             \

@@ -26,9 +26,9 @@ namespace ogive::fem
 /// gets the impulse at the velocity it happens to have: the difference is the
 /// error that is booked.
 ///
-/// Neighbours differ by at most one class; without linear bulk viscosity each
-/// class reaches one layer into the next coarser one. The bars of the test
-/// LocalStepsScheme are stable then.
+/// Neighbours differ by at most one class, and each class reaches one layer of
+/// elements into those that could be coarser: the bars of the test LocalStepsScheme
+/// are stable then, and the shaking between the impulses of a coarser element is small.
 template <int dim>
 struct LocalSteps
 {
@@ -53,7 +53,6 @@ struct LocalSteps
 
   bool          on      = false; ///< any body has classes
   bool          chosen  = false; ///< the ratio is free: none if nothing is won
-  bool          overlap = false; ///< classes reach into coarser ones
   unsigned char most    = 0;     ///< classes beyond 0 that the scene allows
   unsigned char top     = 0;     ///< coarsest class there is
   std::vector<unsigned char>                        of_node; ///< class of each node
