@@ -254,6 +254,8 @@ void Model<dim>::save(ArchiveWriter &archive) const
     sph_->save(archive, "sph");
   coupler_->save(archive, "coupling");
   subcycling_.save(archive, "coupling");
+  if (fem_ && fem_->local_plan().on)
+    archive.write("coupling/local_reference", local_reference_);
 }
 
 template <int dim>
@@ -267,6 +269,8 @@ void Model<dim>::load(const ArchiveReader &archive)
     sph_->load(archive, "sph");
   coupler_->load(archive, "coupling");
   subcycling_.load(archive, "coupling");
+  if (fem_ && fem_->local_plan().on)
+    local_reference_ = archive.number("coupling/local_reference");
 }
 
 template <int dim>

@@ -108,6 +108,7 @@ private:
   StepLimit  fine_limit() const;
   StepLimit  coarse_limit() const;
   StepStatus take_part(const TimeStep &whole, std::size_t j);
+  std::string review_local_steps();
   double     parts_error(Party) const; ///< of steps in parts, J
 
   std::size_t                        n_walls_;
@@ -118,7 +119,8 @@ private:
   std::unique_ptr<Coupler<dim>>      coupler_;
   Subcycling                         subcycling_;
   std::size_t                        parts_ = 1;
-  double                             parts_reference_ = 0, parts_limit_ = 0; ///< J at the start; share of it
+  double parts_reference_ = 0, parts_limit_ = 0; ///< kinetic energy at the start, J; share of it
+  double local_reference_ = 0;                   ///< most energy seen, J
   std::vector<std::string>           mesh_notes_;
   double                             sph_seconds_ = 0, fem_seconds_ = 0;
 };

@@ -4,6 +4,7 @@
 #include "coupling/model.h"
 #include "coupling/stopwatch.h"
 
+#include <algorithm>
 #include <cmath>
 
 /// The step of a model, whole or in parts.
@@ -21,7 +22,7 @@ void Model<dim>::begin_parts(const input::Scene &scene)
   subcycling_ = Subcycling(chosen, fem_ && sph_);
   parts_limit_ = scene.subcycling.energy_limit;
   if (subcycling_.on() || (fem_ && fem_->steps_locally()))
-    parts_reference_ = ledger().kinetic;
+    parts_reference_ = local_reference_ = ledger().kinetic;
   if (subcycling_.mesh_is_coarse())
   {
     // What a node still has to get from its elements would leave with them.
@@ -117,19 +118,30 @@ double Model<dim>::parts_error(Party party) const
                                (subcycling_.particles_are_coarse() ? sph_->parts_error() : 0.);
 }
 
+/// Their error swings with the energy that passes between classes: it is held
+/// against the most that there was, of all kinds.
+template <int dim>
+std::string Model<dim>::review_local_steps()
+{
+  if (!fem_ || !fem_->steps_locally())
+    return {};
+  const double error = fem_->parts_error();
+  if (!(std::abs(error) > parts_limit_ * local_reference_))
+    return {};
+  const LedgerRow now = ledger();
+  local_reference_    = std::max(local_reference_, now.kinetic + now.internal());
+  if (!(std::abs(error) > parts_limit_ * local_reference_))
+    return {};
+  fem_->end_local_steps();
+  return "the error of local steps has come to " + engineering(error) +
+         " J, more than Subcycling/energy limit allows: all elements step alike from now on";
+}
+
 template <int dim>
 std::string Model<dim>::review()
 {
-  if (fem_ && fem_->steps_locally())
-  {
-    const double reference = parts_reference_ > 0 ? parts_reference_ : ledger().kinetic;
-    if (const double error = fem_->parts_error(); std::abs(error) > parts_limit_ * reference)
-    {
-      fem_->end_local_steps();
-      return "the error of local steps has come to " + engineering(error) +
-             " J, more than Subcycling/energy limit allows: all elements step alike from now on";
-    }
-  }
+  if (std::string note = review_local_steps(); !note.empty())
+    return note;
   if (!subcycling_.on())
     return {};
   const double error = coupler_->balance().interface_work + parts_error(particle_party) + parts_error(mesh_party);
@@ -147,6 +159,7 @@ std::string Model<dim>::review()
   template StepLimit   Model<d>::stable_dt() const;                                                          \
   template StepStatus  Model<d>::step(const TimeStep &);                                                     \
   template double      Model<d>::parts_error(Party) const;                                                   \
+  template std::string Model<d>::review_local_steps();                                                       \
   template std::string Model<d>::review();
 OGIVE_INSTANTIATE(1)
 OGIVE_INSTANTIATE(2)
