@@ -10,6 +10,23 @@
 /// A step with parts for small elements (fem/local_steps.h).
 namespace ogive::fem
 {
+namespace
+{
+/// A time of each class: that of class 0, doubled from class to class.
+struct Times
+{
+  double of[ClassedGroup<1>::n_classes];
+  explicit Times(double finest)
+  {
+    for (double &one : of)
+    {
+      one = finest;
+      finest *= 2;
+    }
+  }
+};
+} // namespace
+
 template <int dim>
 StepStatus Solver<dim>::Implementation::step_locally(const TimeStep &whole)
 {
@@ -83,10 +100,11 @@ void Solver<dim>::Implementation::kick_locally(double h, int upto)
       }
     }
   const auto &active = local.active[upto];
+  const Times kicks(kick);
   if (!loads.empty())
     for (int i = 0; i < dim; ++i)
       for (const std::uint32_t a : active)
-        nodes.force[i][a] += std::ldexp(kick, local.of_node[a]) * load[i][a];
+        nodes.force[i][a] += kicks.of[local.of_node[a]] * load[i][a];
   constraints.fold_forces(nodes, [this](std::uint32_t slave, double (&f)[dim]) {
     for (int i = 0; i < dim; ++i)
       f[i] = nodes.force[i][slave];
@@ -159,10 +177,7 @@ bool Solver<dim>::Implementation::books_exactly(const typename LocalSteps<dim>::
 template <int dim>
 void Solver<dim>::Implementation::drift_locally(double h, int upto)
 {
-  double length[LocalSteps<dim>::n_classes];
-  for (int c = 0; c < LocalSteps<dim>::n_classes; ++c)
-    length[c] = std::ldexp(h, c);
-  const double kick = .5 * (local.state.last + h);
+  const Times lengths(h), kicks(.5 * (local.state.last + h));
   for (int i = 0; i < dim; ++i)
   {
     double       *x = nodes.x[i].data(), *mean = nodes.v_mean[i].data();
@@ -170,7 +185,7 @@ void Solver<dim>::Implementation::drift_locally(double h, int upto)
     for (const std::uint32_t a : local.active[upto])
     {
       mean[a] = .5 * (v[a] + old[a]);
-      x[a] += length[local.of_node[a]] * v[a];
+      x[a] += lengths.of[local.of_node[a]] * v[a];
     }
   }
   Turn turn{local.of_node, 0, false, 0.};
@@ -183,7 +198,7 @@ void Solver<dim>::Implementation::drift_locally(double h, int upto)
     for (int i = 0; i < dim; ++i)
       for (const std::uint32_t a : local.active[upto])
       {
-        const double impulse = std::ldexp(kick, local.of_node[a]) * load[i][a];
+        const double impulse = kicks.of[local.of_node[a]] * load[i][a];
         work.external += impulse * nodes.v_mean[i][a];
         work.impulse[i] += impulse;
       }
