@@ -34,6 +34,13 @@ public:
   const std::array<Class, n_classes> &classes() const { return classes_; }
   /// Class of each element.
   const std::vector<unsigned char> &layout() const { return layout_; }
+  /// Calls f(node) for the corners of an element, nodes counted over all bodies.
+  template <class F>
+  void for_each_corner(std::size_t e, F &&f) const
+  {
+    for (std::size_t k = e * corners; k < (e + 1) * corners; ++k)
+      f(place_.first_node + mesh_.cells[k]);
+  }
   /// Moves elements, with their history, to the groups of these classes.
   void arrange(const std::vector<unsigned char> &layout);
   /// 2/dt of each element by the body's count, 1/s.

@@ -42,6 +42,30 @@ unsigned char coarsest(const Classes &classes)
 }
 } // namespace
 
+/// Whether the scene wants elements to step by their own bounds. "auto" does
+/// without where they cannot; InputError where a ratio is named.
+template <int dim>
+bool Solver<dim>::Implementation::may_step_locally(const std::vector<BodyMesh<dim>> &meshes) const
+{
+  const auto &options = parameters.options;
+  std::string fault;
+  if (options.local_steps == "none" || meshes.empty())
+    return false;
+  if (options.correction != "none")
+    fault = "FEM/correction needs the accelerations of all elements at one time";
+  if (options.step_bound != "element")
+    fault = "\"step bound = " + options.step_bound + "\" is one of the whole mesh";
+  for (const auto &mesh : meshes)
+    if (mesh.element == "spectral" || (dim > 1 && mesh.element != "one-point"))
+      fault = "the " + mesh.element + " elements of a body cannot be parted into groups";
+    else if (mesh.loses_elements())
+      fault = "elements of a body may leave the mesh (erosion, or method auto), between steps of all";
+  if (!fault.empty() && options.local_steps != "auto")
+    throw InputError({"", 0, "FEM/local steps"}, "is " + options.local_steps + ", but " + fault,
+                     "FEM/local steps = none or auto", "or one-point elements that stay, step bound = element, correction = none");
+  return fault.empty();
+}
+
 /// After the groups have their bounds.
 template <int dim>
 void Solver<dim>::Implementation::begin_local_steps()
@@ -63,6 +87,15 @@ template <int dim>
 ClassedGroup<dim> *Solver<dim>::Implementation::classed(std::size_t g) const
 {
   return static_cast<ClassedGroup<dim> *>(groups[g].get());
+}
+
+template <int dim>
+std::vector<const ClassedGroup<dim> *> Solver<dim>::Implementation::all_classed() const
+{
+  std::vector<const ClassedGroup<dim> *> all;
+  for (std::size_t g = 0; g < groups.size(); ++g)
+    all.push_back(classed(g));
+  return all;
 }
 
 /// By the bounds of the elements; `longest`: whole step (s) that others let pass.
@@ -103,14 +136,13 @@ namespace
 {
 /// The finest class that touches each node; nodes that are bound together share it.
 template <int dim>
-std::vector<unsigned char> finest_at(const Classes &classes, const std::vector<std::unique_ptr<ElementGroup<dim>>> &groups,
+std::vector<unsigned char> finest_at(const Classes &classes, const std::vector<const ClassedGroup<dim> *> &groups,
                                      const Constraints<dim> &constraints, std::size_t n_nodes)
 {
   std::vector<unsigned char> of(n_nodes, 255);
   for (std::size_t g = 0; g < groups.size(); ++g)
     for (std::size_t e = 0; e < classes[g].size(); ++e)
-      for (const std::uint32_t node : groups[g]->nodes(e))
-        of[node] = std::min(of[node], classes[g][e]);
+      groups[g]->for_each_corner(e, [&](std::size_t node) { of[node] = std::min(of[node], classes[g][e]); });
   for (bool changed = !constraints.empty(); changed;)
   {
     changed = false;
@@ -129,14 +161,16 @@ template <int dim>
 void Solver<dim>::Implementation::spread_classes(Classes &classes, int most) const
 {
   // Elements of a class above `level` at nodes of at most that become `to`.
+  const auto all  = all_classed();
   const auto pull = [&](int level, int to) {
-    const auto at = finest_at<dim>(classes, groups, constraints, nodes.size());
-    for (std::size_t g = 0; g < groups.size(); ++g)
+    const auto at = finest_at<dim>(classes, all, constraints, nodes.size());
+    for (std::size_t g = 0; g < all.size(); ++g)
       for (std::size_t e = 0; e < classes[g].size(); ++e)
         if (classes[g][e] > to)
-          for (const std::uint32_t node : groups[g]->nodes(e))
+          all[g]->for_each_corner(e, [&](std::size_t node) {
             if (at[node] <= level)
               classes[g][e] = static_cast<unsigned char>(to);
+          });
   };
   for (int level = 0; level < most; ++level)
   {
@@ -219,13 +253,13 @@ void Solver<dim>::Implementation::list_local_nodes()
   for (std::size_t g = 0; g < groups.size(); ++g)
     classes.push_back(classed(g)->layout());
   local.top     = coarsest(classes);
-  local.of_node = finest_at<dim>(classes, groups, constraints, nodes.size());
+  local.of_node = finest_at<dim>(classes, all_classed(), constraints, nodes.size());
   for (unsigned char &c : local.of_node)
     c = std::min(c, local.top);
   for (std::size_t c = 0; c < local.active.size(); ++c)
   {
     local.active[c].clear();
-    for (std::uint32_t a = 0; a < nodes.size(); ++a)
+    for (std::uint32_t a = 0; a < nodes.size() && c <= local.top; ++a)
       if (local.of_node[a] <= c)
         local.active[c].push_back(a);
   }
@@ -342,6 +376,7 @@ void Solver<dim>::end_local_steps()
   template auto Solver<d>::local_plan() const -> LocalPlan;                                                    \
   template bool Solver<d>::steps_locally() const;                                                              \
   template void Solver<d>::end_local_steps();                                                                  \
+  template bool               Solver<d>::Implementation::may_step_locally(const std::vector<BodyMesh<d>> &) const; \
   template void               Solver<d>::Implementation::begin_local_steps();                                  \
   template ClassedGroup<d>   *Solver<d>::Implementation::classed(std::size_t) const;                           \
   template void               Solver<d>::Implementation::arrange(const Classes &);                             \

@@ -19,34 +19,6 @@ Solver<dim>::Solver(const Parameters &parameters, std::vector<BodyMesh<dim>> mes
 template <int dim>
 Solver<dim>::~Solver() = default;
 
-namespace
-{
-/// Whether the scene wants elements to step by their own bounds. "auto" does
-/// without where they cannot; InputError where a ratio is named.
-template <int dim>
-bool can_step_locally(const input::FemOptions &options, const std::vector<BodyMesh<dim>> &meshes)
-{
-  if (options.local_steps == "none")
-    return false;
-  std::string fault;
-  if (options.correction != "none")
-    fault = "FEM/correction needs the accelerations of all elements at one time";
-  if (options.step_bound != "element")
-    fault = "\"step bound = " + options.step_bound + "\" is one of the whole mesh";
-  for (const auto &mesh : meshes)
-    if (mesh.element == "spectral" || (dim > 1 && mesh.element != "one-point"))
-      fault = "the " + mesh.element + " elements of a body cannot be parted into groups";
-    else if (mesh.loses_elements())
-      fault = "elements of a body may leave the mesh (erosion, or method auto), between steps of all";
-  if (fault.empty())
-    return true;
-  if (options.local_steps == "auto")
-    return false;
-  throw InputError({"", 0, "FEM/local steps"}, "is " + options.local_steps + ", but " + fault,
-                   "FEM/local steps = none or auto", "or one-point elements that stay, step bound = element, correction = none");
-}
-} // namespace
-
 template <int dim>
 void Solver<dim>::Implementation::build(std::vector<BodyMesh<dim>> meshes)
 {
@@ -75,7 +47,7 @@ void Solver<dim>::Implementation::build(std::vector<BodyMesh<dim>> meshes)
     v_old[i].resize(n_all, 0.);
     load[i].resize(n_all, 0.);
   }
-  local.on = can_step_locally(parameters.options, meshes);
+  local.on = may_step_locally(meshes);
   for (std::size_t b = 0; b < meshes.size(); ++b)
   {
     const auto &mesh = meshes[b];

@@ -77,8 +77,10 @@ struct Solver<dim>::Implementation
   void       place(const TimeStep &whole, const TimeStep &part);
   void       add_owed(Balance &) const;
   // local_classes.cc: who is of which class
+  bool               may_step_locally(const std::vector<BodyMesh<dim>> &) const;
   void               begin_local_steps();
   ClassedGroup<dim> *classed(std::size_t g) const;
+  std::vector<const ClassedGroup<dim> *>  all_classed() const;
   std::vector<std::vector<unsigned char>> choose_classes(double longest) const;
   void               spread_classes(std::vector<std::vector<unsigned char>> &, int most) const;
   void               arrange(const std::vector<std::vector<unsigned char>> &);

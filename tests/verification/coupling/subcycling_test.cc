@@ -346,24 +346,28 @@ TEST(LocalSteps, BooksCloseAcrossContactAndSeams)
   }
 }
 
-// The same blow with one step for all: what the struck block has in the end.
+// The same blow with one step for all: what the struck block has in the end. The
+// stiffness of contact goes with 1/step^2; both get that of the longer step.
 TEST(LocalSteps, PassOnTheSameMomentum)
 {
+  const double longer = Model<2>(uneven_impact("8", false)).stable_dt().dt / Model<2>(uneven_impact("none", false)).stable_dt().dt;
+  EXPECT_GT(longer, 3);
   double passed[2];
   for (const bool local : {false, true})
   {
     auto scene = uneven_impact(local ? "8" : "none", false);
     scene.subcycling.energy_limit = .05;
+    if (!local)
+      scene.contacts[0].stiffness /= longer * longer;
     Driver<2> run(scene);
-    while (run.time < 6e-6) // the striker has left by then
+    while (run.time < 6e-6) // a wave goes four times through the striker
       run.step();
-    EXPECT_EQ(run.model.contact_force(), 0);
     const auto rest = run.model.sample(1);
     passed[local]   = 0;
     for (std::size_t k = 0; k < rest.mass.size(); ++k)
       passed[local] += rest.mass[k] * rest.v[1][k];
   }
-  EXPECT_NEAR(passed[1] / passed[0], 1, .02); // three elements across the struck block
+  EXPECT_NEAR(passed[1] / passed[0], 1, .02); // two elements across the struck block
 }
 
 TEST(LocalSteps, EndByTheirErrorOnceAndGoOnAfterACheckpoint)
