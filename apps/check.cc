@@ -86,7 +86,7 @@ void print_parts(const input::Scene &scene, const coupling::Plan &plan)
                 plan.local_updates);
   }
   else if (scene.fem.local_steps != "none" && plan.elements > 0)
-    std::printf("  local      elements step alike: those of this scene cannot do otherwise\n");
+    std::printf("  local      elements step alike, for their kind or for contact: docs/local_steps.md\n");
   if (scene.subcycling.who == "none" || plan.particles == 0 || plan.elements == 0)
     return;
   const bool particles = plan.who == "particles";

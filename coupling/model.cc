@@ -108,6 +108,18 @@ void start(sph::BodyParticles<dim> &particles, const input::Body &body)
   }
 }
 
+/// Contact pushes once a step, with a stiffness that goes with 1/step^2: where a
+/// body of elements is in contact, elements part their steps only if told to.
+input::FemOptions fem_options(const input::Scene &scene)
+{
+  input::FemOptions options = scene.fem;
+  for (const input::Contact &contact : scene.contacts)
+    for (const std::string &name : {contact.first, contact.second})
+      if (options.local_steps == "auto" && scene.bodies[body_index(scene, name)].method != input::Method::sph)
+        options.local_steps = "none";
+  return options;
+}
+
 template <int dim>
 void set_velocity(sph::BodyParticles<dim> &particles, const Setup &setup)
 {
@@ -186,7 +198,7 @@ void Model<dim>::build(const input::Scene &scene, const Setup &setup, const std:
     move_points<dim>(moves, scene, meshes, clouds);
   if (!meshes.empty())
     fem_ = std::make_unique<fem::Solver<dim>>(
-      fem::Parameters{scene.fem, scene.dimension == input::Dimension::axisymmetric, scene.symmetry, scene.walls,
+      fem::Parameters{fem_options(scene), scene.dimension == input::Dimension::axisymmetric, scene.symmetry, scene.walls,
                       scene.boundaries, boundary_bodies(scene), mesh_ties(scene)},
       std::move(meshes));
   if (!clouds.empty())

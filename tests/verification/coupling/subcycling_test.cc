@@ -370,6 +370,15 @@ TEST(LocalSteps, PassOnTheSameMomentum)
   EXPECT_NEAR(passed[1] / passed[0], 1, .02); // two elements across the struck block
 }
 
+// With "auto" contact keeps its stiffness.
+TEST(LocalSteps, AutoLeavesElementsInContactAlone)
+{
+  EXPECT_FALSE(Model<2>(uneven_impact("auto", false)).local_plan().on);
+  auto apart = uneven_impact("auto", false);
+  apart.contacts.clear();
+  EXPECT_TRUE(Model<2>(apart).local_plan().on);
+}
+
 TEST(LocalSteps, EndByTheirErrorOnceAndGoOnAfterACheckpoint)
 {
   auto scene                    = uneven_impact("8", false);
