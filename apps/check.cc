@@ -73,6 +73,31 @@ void print_critical(const coupling::Plan &plan, const std::vector<std::string> &
     std::printf("  critical   not looked for in so many elements; \"step bound = power-iteration\" does\n");
 }
 
+/// Who steps more often than others, and what that saves.
+void print_parts(const input::Scene &scene, const coupling::Plan &plan)
+{
+  if (!plan.local_classes.empty())
+  {
+    std::string classes;
+    for (std::size_t c = 0; c < plan.local_classes.size(); ++c)
+      classes += (c == 0 ? "" : ", ") + std::to_string(plan.local_classes[c]) + " every " + std::to_string(1u << c);
+    std::printf("  local      ratio %u; elements by parts of %s s: %s; %.3f of the element updates of one step for all\n",
+                1u << (plan.local_classes.size() - 1), engineering(plan.local_part).c_str(), classes.c_str(),
+                plan.local_updates);
+  }
+  else if (scene.fem.local_steps != "none" && plan.elements > 0)
+    std::printf("  local      elements step alike, for their kind or for contact: docs/local_steps.md\n");
+  if (scene.subcycling.who == "none" || plan.particles == 0 || plan.elements == 0)
+    return;
+  const bool particles = plan.who == "particles";
+  std::printf("  parts      %s; bounds: particles %s s, elements %s s\n",
+              plan.who == "none" ? "none, particles and elements step alike" :
+                                   (plan.who + " take up to " + std::to_string(plan.parts) + " steps in one of the " +
+                                    (particles ? "elements" : "particles"))
+                                     .c_str(),
+              engineering(plan.particles_dt).c_str(), engineering(plan.elements_dt).c_str());
+}
+
 /// Measures the seams, prints tables, writes certificate.csv and certificate.svg.
 void certify_seams(const input::Scene &scene, const CheckArguments &a)
 {
@@ -147,6 +172,7 @@ void check(const CheckArguments &a)
     bodies.push_back(body.name);
   std::printf("  step       %s s, set by %s\n", engineering(plan.limit.dt).c_str(),
               describe(plan.limit.culprit, bodies).c_str());
+  print_parts(scene, plan);
   for (const fem::MeshQuality &q : plan.meshes)
     print_mesh(q);
   print_critical(plan, bodies);

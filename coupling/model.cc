@@ -108,6 +108,18 @@ void start(sph::BodyParticles<dim> &particles, const input::Body &body)
   }
 }
 
+/// Contact pushes once a step, with a stiffness that goes with 1/step^2: where a
+/// body of elements is in contact, elements part their steps only if told to.
+input::FemOptions fem_options(const input::Scene &scene)
+{
+  input::FemOptions options = scene.fem;
+  for (const input::Contact &contact : scene.contacts)
+    for (const std::string &name : {contact.first, contact.second})
+      if (options.local_steps == "auto" && scene.bodies[body_index(scene, name)].method != input::Method::sph)
+        options.local_steps = "none";
+  return options;
+}
+
 template <int dim>
 void set_velocity(sph::BodyParticles<dim> &particles, const Setup &setup)
 {
@@ -187,7 +199,7 @@ void Model<dim>::build(const input::Scene &scene, const Setup &setup, const std:
     move_points<dim>(moves, scene, meshes, clouds);
   if (!meshes.empty())
     fem_ = std::make_unique<fem::Solver<dim>>(
-      fem::Parameters{scene.fem, scene.dimension == input::Dimension::axisymmetric, scene.symmetry, scene.walls,
+      fem::Parameters{fem_options(scene), scene.dimension == input::Dimension::axisymmetric, scene.symmetry, scene.walls,
                       scene.boundaries, boundary_bodies(scene), mesh_ties(scene), ranks_, scene.parallel},
       std::move(meshes));
   if (!clouds.empty())
@@ -258,6 +270,8 @@ void Model<dim>::save(ArchiveWriter &archive) const
     sph_->save(archive, "sph");
   coupler_->save(archive, "coupling");
   subcycling_.save(archive, "coupling");
+  if (fem_ && fem_->local_plan().on)
+    archive.write("coupling/local_reference", local_reference_);
 }
 
 template <int dim>
@@ -271,6 +285,8 @@ void Model<dim>::load(const ArchiveReader &archive)
     sph_->load(archive, "sph");
   coupler_->load(archive, "coupling");
   subcycling_.load(archive, "coupling");
+  if (fem_ && fem_->local_plan().on)
+    local_reference_ = archive.number("coupling/local_reference");
 }
 
 template <int dim>

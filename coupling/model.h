@@ -100,6 +100,14 @@ public:
   const Ranks  &ranks() const { return ranks_; }
   /// What this rank has of all; what it tells others is not in it.
   RankShare     share() const;
+  /// Who steps how often.
+  const Subcycling                        &subcycling() const { return subcycling_; }
+  typename fem::Solver<dim>::LocalPlan     local_plan() const
+  {
+    return fem_ ? fem_->local_plan() : typename fem::Solver<dim>::LocalPlan{};
+  }
+  double elements_dt() const { return fem_ ? fem_->stable_dt().dt : 0.; }  ///< bound of their steps, s; none: 0
+  double particles_dt() const { return sph_ ? sph_->stable_dt().dt : 0.; }
 
 private:
   /// `moves`: of points that would overlap.
@@ -109,6 +117,7 @@ private:
   StepLimit  fine_limit() const;
   StepLimit  coarse_limit() const;
   StepStatus take_part(const TimeStep &whole, std::size_t j);
+  std::string review_local_steps();
   double     parts_error(Party) const; ///< of steps in parts, J
   std::uint64_t sum(std::uint64_t own) const
   {
@@ -124,6 +133,8 @@ private:
   std::unique_ptr<Coupler<dim>>      coupler_;
   Subcycling                         subcycling_;
   std::size_t                        parts_ = 1;
+  double parts_reference_ = 0, parts_limit_ = 0; ///< kinetic energy at the start, J; share of it
+  double local_reference_ = 0;                   ///< most energy seen, J
   std::vector<std::string>           mesh_notes_;
   double                             sph_seconds_ = 0, fem_seconds_ = 0;
 };

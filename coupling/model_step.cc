@@ -4,13 +4,25 @@
 #include "coupling/model.h"
 #include "coupling/stopwatch.h"
 
+#include <algorithm>
+#include <cmath>
+
 /// The step of a model, whole or in parts.
 namespace ogive::coupling
 {
 template <int dim>
 void Model<dim>::begin_parts(const input::Scene &scene)
 {
-  subcycling_ = Subcycling(scene.subcycling, fem_ && sph_);
+  input::Subcycling chosen = scene.subcycling;
+  if (chosen.who == "auto" && !(fem_ && sph_))
+    chosen.who = "none";
+  if (fem_ && sph_)
+    chosen = Subcycling::settled(chosen, fem_->stable_dt().dt, sph_->stable_dt().dt,
+                                 !conversion_ && !fem_->steps_locally());
+  subcycling_ = Subcycling(chosen, fem_ && sph_);
+  parts_limit_ = scene.subcycling.energy_limit;
+  if (subcycling_.on() || (fem_ && fem_->steps_locally()))
+    parts_reference_ = local_reference_ = ledger().kinetic;
   if (subcycling_.mesh_is_coarse())
   {
     // What a node still has to get from its elements would leave with them.
@@ -21,8 +33,7 @@ void Model<dim>::begin_parts(const input::Scene &scene)
   }
   if (subcycling_.particles_are_coarse())
     sph_->allow_parts();
-  if (subcycling_.on())
-    subcycling_.measure(ledger().kinetic);
+  subcycling_.measure(parts_reference_);
 }
 
 /// Of what steps more often, contact among it.
@@ -126,13 +137,34 @@ RankShare Model<dim>::share() const
 template <int dim>
 double Model<dim>::parts_error(Party party) const
 {
-  return party == mesh_party ? (subcycling_.mesh_is_coarse() ? fem_->parts_error() : 0.) :
+  return party == mesh_party ? (fem_ ? fem_->parts_error() : 0.) :
                                (subcycling_.particles_are_coarse() ? sph_->parts_error() : 0.);
+}
+
+/// Their error swings with the energy that passes between classes: it is held
+/// against the most that there was, of all kinds.
+template <int dim>
+std::string Model<dim>::review_local_steps()
+{
+  if (!fem_ || !fem_->steps_locally())
+    return {};
+  const double error = fem_->parts_error();
+  if (!(std::abs(error) > parts_limit_ * local_reference_))
+    return {};
+  const LedgerRow now = ledger();
+  local_reference_    = std::max(local_reference_, now.kinetic + now.internal());
+  if (!(std::abs(error) > parts_limit_ * local_reference_))
+    return {};
+  fem_->end_local_steps();
+  return "the error of local steps has come to " + engineering(error) +
+         " J, more than Subcycling/energy limit allows: all elements step alike from now on";
 }
 
 template <int dim>
 std::string Model<dim>::review()
 {
+  if (std::string note = review_local_steps(); !note.empty())
+    return note;
   if (!subcycling_.on())
     return {};
   const double error = coupler_->balance().interface_work + parts_error(particle_party) + parts_error(mesh_party);
@@ -151,6 +183,7 @@ std::string Model<dim>::review()
   template StepStatus  Model<d>::step(const TimeStep &);                                                     \
   template double      Model<d>::parts_error(Party) const;                                                   \
   template RankShare   Model<d>::share() const;                                                              \
+  template std::string Model<d>::review_local_steps();                                                       \
   template std::string Model<d>::review();
 OGIVE_INSTANTIATE(1)
 OGIVE_INSTANTIATE(2)

@@ -23,6 +23,14 @@ Plan make_plan(const input::Scene &scene)
   plan.mass      = model.ledger().mass;
   plan.ties      = model.ties();
   plan.overlaps  = model.initial_overlaps();
+  const auto local   = model.local_plan();
+  plan.local_classes = local.elements;
+  plan.local_part    = local.part;
+  plan.local_updates = local.updates;
+  plan.who           = model.subcycling().who();
+  plan.parts         = model.subcycling().most();
+  plan.elements_dt   = model.elements_dt();
+  plan.particles_dt  = model.particles_dt();
   plan.added_mass_fraction = added_mass<dim>(scene, model);
   plan.meshes    = model.mesh_qualities(scene);
   // an iteration costs about two steps, and it takes hundreds

@@ -57,6 +57,15 @@ struct Plan
   std::vector<InitialOverlap> overlaps; ///< of bodies in contact, as the run begins
   std::map<std::string, double> added_mass_fraction; ///< by mass scaling, of bodies that got any
 
+  /// FEM/local steps: elements of each class of steps, the bound of the shortest
+  /// one (s), updates of elements over those with one step for all.
+  std::vector<std::size_t> local_classes;
+  double                   local_part = 0, local_updates = 1;
+  /// Subcycling: who steps more often, how often at most; bounds of both, s.
+  std::string who = "none";
+  std::size_t parts = 1;
+  double      elements_dt = 0, particles_dt = 0;
+
   std::vector<fem::MeshQuality> meshes;   ///< one a body of elements
   StepLimit                     critical; ///< of all meshes, by power iteration; infinite if not looked for
 };

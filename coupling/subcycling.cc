@@ -22,6 +22,19 @@ Subcycling::Subcycling(const input::Subcycling &given, bool both_solvers)
   most_ = static_cast<std::size_t>(given.steps);
 }
 
+input::Subcycling Subcycling::settled(input::Subcycling given, double elements_dt, double particles_dt,
+                                      bool elements_wait)
+{
+  constexpr double most = 8;
+  if (given.who != "auto")
+    return given;
+  const double ratio = std::max(elements_dt, particles_dt) / std::min(elements_dt, particles_dt);
+  const bool   wait  = particles_dt < elements_dt; // the elements
+  given.who          = !(ratio >= 2) || (wait && !elements_wait) ? "none" : wait ? "particles" : "elements";
+  given.steps        = given.who == "none" ? 1. : std::min(std::floor(ratio), most);
+  return given;
+}
+
 StepLimit Subcycling::limit(const StepLimit &fine, const StepLimit &coarse) const
 {
   // Whole parts of the finer bound: a part that is shorter than it may be costs

@@ -29,8 +29,15 @@ public:
   Subcycling() = default; ///< no parts
   Subcycling(const input::Subcycling &, bool both_solvers);
 
+  /// "auto" settled: whoever's bound (s) is at most half of the other's steps
+  /// more often, as often as whole steps of it are in the other's, at most 8 times.
+  /// `elements_wait`: whether elements may step less often than particles.
+  static input::Subcycling settled(input::Subcycling, double elements_dt, double particles_dt, bool elements_wait);
+
   /// Whether steps may have parts in this scene.
   bool on() const { return most_ > 1; }
+  const std::string &who() const { return who_; }   ///< "none", "particles", "elements": who steps more often
+  std::size_t        most() const { return most_; } ///< parts of a step
   bool mesh_is_coarse() const { return on() && who_ == "particles"; }
   bool particles_are_coarse() const { return on() && who_ == "elements"; }
 
@@ -59,7 +66,7 @@ private:
     double last  = 0;     ///< length of the last part, s
     bool   ended = false; ///< by its error
   };
-  std::string who_;
+  std::string who_ = "none";
   std::size_t most_  = 1;
   double      limit_ = 0, reference_ = 0;
   State       state_, kept_;

@@ -53,7 +53,7 @@ std::size_t AbsorbingFaces<dim>::slot(std::uint32_t node)
 template <int dim>
 void AbsorbingFaces<dim>::apply(const TimeStep &step, const PrescribedMotion<dim> &prescribed,
                                 const Constraints<dim> &constraints, Nodes<dim> &nodes,
-                                const std::array<AlignedVector<double>, dim> &v_old)
+                                const std::array<AlignedVector<double>, dim> &v_old, const Turn *turn)
 {
   std::fill(damping_.begin(), damping_.end(), Matrix::Zero());
   const auto feels = [&nodes](std::uint32_t a) { return nodes.feels(a); };
@@ -74,6 +74,8 @@ void AbsorbingFaces<dim>::apply(const TimeStep &step, const PrescribedMotion<dim
   for (std::size_t k = 0; k < nodes_.size(); ++k)
   {
     const std::uint32_t a = nodes_[k];
+    if (turn && !turn->takes(a))
+      continue;
     impulse_[k].setZero();
     if (constraints.is_slave(a) || !nodes.keeps(a))
       continue;
@@ -97,10 +99,10 @@ void AbsorbingFaces<dim>::apply(const TimeStep &step, const PrescribedMotion<dim
 }
 
 template <int dim>
-void AbsorbingFaces<dim>::book(const Nodes<dim> &nodes, BoundaryWork &work) const
+void AbsorbingFaces<dim>::book(const Nodes<dim> &nodes, BoundaryWork &work, const Turn *turn) const
 {
   for (std::size_t k = 0; k < nodes_.size(); ++k)
-    for (int i = 0; i < dim && nodes.counts(nodes_[k]); ++i)
+    for (int i = 0; i < dim && nodes.counts(nodes_[k]) && (!turn || turn->takes(nodes_[k])); ++i)
     {
       work.absorbed -= impulse_[k][i] * nodes.v_mean[i][nodes_[k]];
       work.impulse[i] += impulse_[k][i];

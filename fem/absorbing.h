@@ -6,6 +6,7 @@
 #include "fem/constraints.h"
 #include "fem/mesh.h"
 #include "fem/nodes.h"
+#include "fem/turn.h"
 
 #include <Eigen/Core>
 
@@ -35,9 +36,9 @@ public:
   /// Corrects velocities that were kicked without the dashpots. Prescribed
   /// components and slave nodes feel none; the masters of slaves do.
   void apply(const TimeStep &, const PrescribedMotion<dim> &, const Constraints<dim> &, Nodes<dim> &,
-             const std::array<AlignedVector<double>, dim> &v_old);
+             const std::array<AlignedVector<double>, dim> &v_old, const Turn * = nullptr);
   /// Books the impulses of the step just made, with its mean velocities.
-  void book(const Nodes<dim> &, BoundaryWork &) const;
+  void book(const Nodes<dim> &, BoundaryWork &, const Turn * = nullptr) const;
 
 private:
   using Matrix = Eigen::Matrix<double, dim, dim>;

@@ -101,7 +101,8 @@ void PrescribedMotion<dim>::start(Nodes<dim> &nodes) const
 
 template <int dim>
 void PrescribedMotion<dim>::apply(const TimeStep &step, Nodes<dim> &nodes,
-                                  const std::array<AlignedVector<double>, dim> &v_old, BoundaryWork &work) const
+                                  const std::array<AlignedVector<double>, dim> &v_old, BoundaryWork &work,
+                                  const Turn *turn) const
 {
   std::vector<double> factor;
   for (const input::Boundary &b : boundaries_)
@@ -109,7 +110,7 @@ void PrescribedMotion<dim>::apply(const TimeStep &step, Nodes<dim> &nodes,
       b.history.at(step.time + (b.kind == input::BoundaryKind::displacement ? 1 : .5) * step.drift));
   for (const Entry &entry : entries_)
     for (int i = 0; i < dim; ++i)
-      if (prescribed(entry.node, i))
+      if (prescribed(entry.node, i) && (!turn || turn->takes(entry.node)))
       {
         const std::uint32_t a = entry.node;
         if (!nodes.keeps(a))
@@ -144,18 +145,20 @@ RigidWalls<dim>::RigidWalls(const Parameters &p, std::vector<std::uint32_t> node
 
 template <int dim>
 void RigidWalls<dim>::apply(const TimeStep &step, const PrescribedMotion<dim> &prescribed, Nodes<dim> &nodes,
-                            const std::array<AlignedVector<double>, dim> &v_old, BoundaryWork &work)
+                            const std::array<AlignedVector<double>, dim> &v_old, BoundaryWork &work, const Turn *turn)
 {
   touches_.clear();
   for (std::size_t w = 0; w < walls_.size(); ++w)
   {
-    force_[w] = 0;
+    if (!turn || turn->first)
+      force_[w] = 0;
     for (const std::uint32_t node : nodes_)
-      if (Touch t; nodes.keeps(node) && touch(w, node, step, prescribed, nodes, t) && nodes.counts(node))
+      if (Touch t; nodes.keeps(node) && (!turn || turn->takes(node)) && touch(w, node, step, prescribed, nodes, t) &&
+          nodes.counts(node))
       {
         touches_.push_back(t);
         for (int i = 0; i < dim; ++i)
-          force_[w] += t.normal[i] * walls_[w].normal[i] / step.kick;
+          force_[w] += t.normal[i] * walls_[w].normal[i] / (turn ? turn->whole_kick : step.kick);
       }
   }
   // Booked when all walls have had their say: work is impulse times the mean of

@@ -6,6 +6,7 @@
 #include "fem/mesh.h"
 #include "fem/nodes.h"
 #include "fem/solver.h"
+#include "fem/turn.h"
 
 #include <array>
 #include <cstdint>
@@ -34,8 +35,10 @@ public:
   PrescribedMotion(const Parameters &, const std::vector<BodyMesh<dim>> &,
                    const std::vector<std::size_t> &first_node, const Constraints<dim> &);
 
-  /// Sets the prescribed components and books the work of the reactions.
-  void apply(const TimeStep &, Nodes<dim> &, const std::array<AlignedVector<double>, dim> &v_old, BoundaryWork &) const;
+  /// Sets the prescribed components, of all nodes or of those whose turn it is,
+  /// and books the work of the reactions.
+  void apply(const TimeStep &, Nodes<dim> &, const std::array<AlignedVector<double>, dim> &v_old, BoundaryWork &,
+             const Turn * = nullptr) const;
   /// Sets them in the initial velocities; displaced nodes start at rest.
   void start(Nodes<dim> &) const;
   /// True where component `i` of node `node` is prescribed.
@@ -68,7 +71,7 @@ public:
   RigidWalls(const Parameters &, std::vector<std::uint32_t> nodes);
 
   void   apply(const TimeStep &, const PrescribedMotion<dim> &, Nodes<dim> &,
-               const std::array<AlignedVector<double>, dim> &v_old, BoundaryWork &);
+               const std::array<AlignedVector<double>, dim> &v_old, BoundaryWork &, const Turn * = nullptr);
   double force(std::size_t wall) const { return force_.at(wall); }
   AlignedVector<double> &forces() { return force_; }
 

@@ -16,6 +16,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ogive::fem
@@ -140,6 +141,22 @@ public:
   virtual void wake() {}
   /// Elements that the last advance() left out, since nothing has reached them.
   virtual std::size_t skipped() const { return 0; }
+
+  // Elements that step by their own bound (fem/local_steps.h).
+
+  /// Whether elements may be in groups of their own, and move between them.
+  virtual bool steps_locally() const { return false; }
+  /// 2/dt of each element at the present state, 1/s; empty unless FEM/local steps asks for it.
+  virtual std::span<const double> bounds() const { return {}; }
+  /// Sum of half of what the forces of t_n give the elements at the velocities of their last step, W.
+  virtual double half_power() const { return 0; }
+  /// Copies elements of a group of the same kind, {theirs, own}, with all their history.
+  virtual void take_over(ElementGroup &, std::span<const std::pair<std::uint32_t, std::uint32_t>>)
+  {
+    require(false, "elements of this formulation stay in their group");
+  }
+  /// After the last take_over(): sums of forces, bound of the step.
+  virtual void settle() {}
 };
 
 /// Elements of the formulation that the mesh names (input::Body::element).

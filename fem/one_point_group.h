@@ -51,6 +51,12 @@ public:
   Remains remains(std::size_t e) const override;
   bool    alive(std::size_t e) const override { return alive_.empty() || alive_[e] > 0; }
   void    sum_forces() override;
+
+  bool                    steps_locally() const override;
+  std::span<const double> bounds() const override { return {bound_.data(), bound_.empty() ? 0 : n_}; }
+  double                  half_power() const override;
+  void take_over(ElementGroup<dim> &, std::span<const std::pair<std::uint32_t, std::uint32_t>>) override;
+  void settle() override;
   void    rebury() override;
   void    wake() override { quiet_.wake(); }
   std::size_t skipped() const override { return skipped_; }
@@ -86,6 +92,8 @@ private:
   void       for_each_history(F &&);
   void       join_limit(const std::array<double, 2> &);
 
+  template <class F>
+  void    for_each_element_array(F &&);
   void    find_rows();
   void    set_masses(const BodyMesh<dim> &);
   void    scatter(std::size_t begin, std::size_t count, const double *forces);
@@ -159,7 +167,7 @@ private:
   AlignedVector<double>      corner_force_; ///< N at t_n, packs of corners x dim; empty where state and shape give them back
   std::array<AlignedVector<double>, dim> nodal_force_; ///< N at t_n, sums over the corners at the body's nodes
   std::vector<double>   ring_mass_, section_mass_; ///< kg, kg/m at the body's nodes; area-weighted only
-  std::vector<double>   share_;             ///< see ElementGroup::weigh; empty: 1
+  AlignedVector<double> share_;             ///< see ElementGroup::weigh; empty: 1
   AlignedVector<double> Q_;                 ///< hourglass forces, N, packs of modes x dim
   AlignedVector<double> viscous_pressure_;  ///< Pa
   AlignedVector<double> damping_share_; ///< see damp(); empty: none
@@ -185,7 +193,7 @@ private:
     double x[corners][dim]      = {};  ///< m
   };
   Model                      model_;
-  bool                       by_step_; ///< elements may leave by their bound of the step
+  bool                       by_step_; ///< the bound of each element is kept: elements may leave by it, or step by it
   std::vector<std::uint32_t> own_;     ///< node_ while all live; empty where none can die
   AlignedVector<double>      alive_;   ///< 1 or 0, empty where none can die
   AlignedVector<double>      bound_;   ///< 2/dt of each element, 1/s; where by_step_

@@ -189,6 +189,8 @@ void OnePointGroup<Element>::for_each_state(const Visitor &visit)
     visit("damping_share", damping_share_);
   for (int c = 0; c < 6 && !damping_share_.empty(); ++c)
     visit(std::string("damping_stress_") + component[c], damping_stress_[c]);
+  if (alive_.empty() && !bound_.empty())
+    visit("bound", bound_);
   if (!alive_.empty())
   {
     visit("alive", alive_);

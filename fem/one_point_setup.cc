@@ -33,7 +33,8 @@ OnePointGroup<Element>::OnePointGroup(const BodyMesh<dim> &mesh, const GroupPlac
   , hourglass_modulus_(shear_modulus_ > 0 ? shear_modulus_ : .1 * mesh.material->bulk_modulus())
   , rest_(mesh.material->density())
   , grave_(place.grave)
-  , by_step_((mesh.erosion.on && mesh.erosion.step > 0) || (mesh.converts && mesh.conversion.step > 0))
+  , by_step_((mesh.erosion.on && mesh.erosion.step > 0) || (mesh.converts && mesh.conversion.step > 0) ||
+             options.local_steps != "none")
 {
   require(n_ > 0 || shared_, "a body without elements");
   node_.resize(padded_n_ * corners);

@@ -51,6 +51,8 @@ void Solver<dim>::Implementation::build(std::vector<BodyMesh<dim>> meshes)
       nodes.held[i][a] = prescribed.prescribed(a, i);
   if (parameters.options.step_bound == "power-iteration")
     sharpening[0] = std::max(1., find_critical(1e-6, 5000).dt / element_limit().dt);
+  if (local.on)
+    begin_local_steps();
 }
 
 /// Numbers bodies, nodes and elements, and puts the nodes in their places.
@@ -87,6 +89,7 @@ void Solver<dim>::Implementation::place_bodies(std::vector<BodyMesh<dim>> &meshe
     v_old[i].resize(n_all, 0.);
     load[i].resize(n_all, 0.);
   }
+  local.on = may_step_locally(meshes);
   for (std::size_t b = 0; b < meshes.size(); ++b)
     for (std::size_t a = 0; a < meshes[b].n_nodes(); ++a)
     {
@@ -107,6 +110,9 @@ void Solver<dim>::Implementation::start_body(const BodyMesh<dim> &mesh, std::siz
 {
   groups.push_back(make_element_group<dim>(distribution.alone() ? mesh : distribution.own_mesh(b), places[b],
                                            parameters.options));
+  if (local.on)
+    groups.back() =
+      std::make_unique<ClassedGroup<dim>>(mesh, places[b], parameters.options, std::move(groups.back()));
   groups.back()->initialise(nodes);
   groups.back()->lump_mass(nodes);
   add_up(parts[b].first_node, parts[b].last_node);
@@ -177,9 +183,10 @@ void Solver<dim>::follow(const std::string &who, std::span<const std::uint32_t> 
 template <int dim>
 StepLimit Solver<dim>::Implementation::element_limit() const
 {
-  StepLimit limit;
+  StepLimit limit = local.on ? local_limit() : StepLimit();
   for (const auto &group : groups)
-    limit.tighten(group->stable_dt());
+    if (!local.on)
+      limit.tighten(group->stable_dt());
   if (limit.culprit.id >= 0 && limit.dt < std::numeric_limits<double>::infinity())
     for (std::size_t g = 0; g < groups.size(); ++g)
       if (groups[g]->body() == limit.culprit.body)
@@ -241,6 +248,8 @@ void Solver<dim>::Implementation::sharpen()
 template <int dim>
 StepStatus Solver<dim>::step(const TimeStep &step)
 {
+  if (self_->local.on)
+    return self_->step_locally(step);
   self_->kick(step);
   self_->place(step, step);
   return self_->conclude(self_->advance_elements(step));

@@ -85,8 +85,20 @@ public:
   StepStatus    begin(const TimeStep &whole, const TimeStep &part);
   StepStatus    go_on(const TimeStep &part);
   StepStatus    finish(const TimeStep &whole);
-  /// Energy that steps in parts gave the nodes and took from no element, J (fem/substeps.h).
+  /// Energy that steps in parts gave the nodes and took from no element, J
+  /// (fem/substeps.h, fem/local_steps.h).
   double        parts_error() const;
+  /// Steps of elements by their own bounds, FEM/local steps.
+  struct LocalPlan
+  {
+    bool                     on = false;  ///< else the rest is empty
+    std::vector<std::size_t> elements;    ///< of each class, of steps 1, 2, 4, 8 parts
+    double                   part    = 0; ///< bound of the shortest step, s, with the step factor
+    double                   updates = 1; ///< of elements, a second of the run, over those with one step for all
+  };
+  LocalPlan local_plan() const;
+  bool      steps_locally() const;
+  void      end_local_steps(); ///< all elements step alike from now on
   Balance       balance() const;
   void          snapshot();
   void          restore();

@@ -11,6 +11,7 @@
 #include "fem/element_store.h"
 #include "fem/erosion.h"
 #include "fem/loads.h"
+#include "fem/local_steps.h"
 #include "fem/nodes.h"
 #include "fem/solver.h"
 #include "fem/substeps.h"
@@ -51,6 +52,7 @@ struct Solver<dim>::Implementation
   AlignedVector<double>                           sharpening{1., 0.};
   std::vector<AlignedVector<double>>              mark;        ///< the snapshot
   Substeps<dim>                                   parts_of_step;
+  LocalSteps<dim>                                 local;
   std::map<std::uint32_t, double>                 mass_factor;      ///< over their own, of nodes that carry others
   double                                          least_factor = 1; ///< of these, or 1
 
@@ -163,6 +165,8 @@ struct Solver<dim>::Implementation
   /// After state was taken back or read.
   void state_was_changed()
   {
+    if (local.on)
+      list_local_nodes();
     for (auto &group : groups)
       group->wake();
     if (!erosion.any())
@@ -176,6 +180,29 @@ struct Solver<dim>::Implementation
   void       spread(typename Substeps<dim>::Pushed &, const TimeStep &whole, const TimeStep &part);
   void       place(const TimeStep &whole, const TimeStep &part);
   void       add_owed(Balance &) const;
+  // local_classes.cc: who is of which class
+  bool               may_step_locally(const std::vector<BodyMesh<dim>> &) const;
+  void               begin_local_steps();
+  ClassedGroup<dim> *classed(std::size_t g) const;
+  std::vector<const ClassedGroup<dim> *>  all_classed() const;
+  std::vector<std::vector<unsigned char>> choose_classes(double longest) const;
+  void               spread_classes(std::vector<std::vector<unsigned char>> &, int most) const;
+  void               arrange(const std::vector<std::vector<unsigned char>> &);
+  void               settle_moved(const std::array<AlignedVector<double>, dim> &impulse);
+  void               sum_half_kicks(std::array<AlignedVector<double>, dim> &, double sign) const;
+  void               list_local_nodes();
+  void               review_classes(double whole);
+  StepLimit          local_limit() const;
+  // local_steps.cc: their steps
+  StepStatus step_locally(const TimeStep &);
+  void       kick_locally(double h, int upto);
+  void       constrain_locally(const TimeStep &whole, double time, double h, int upto);
+  void       begin_units(double time, int upto);
+  void       drift_locally(double h, int upto);
+  bool       books_exactly(const typename LocalSteps<dim>::Unit &) const;
+  StepStatus finish_units(std::size_t next, double h);
+  void       note_pushes(double kick);
+  void       finish_whole(const TimeStep &);
   StepStatus advance_elements(const TimeStep &);
   StepStatus review();
   void       kick(const TimeStep &);
@@ -210,6 +237,15 @@ struct Solver<dim>::Implementation
         f(std::string("owed_") + axis[i], parts_of_step.owed[i]);
       }
       f("parts_error", parts_of_step.error);
+    }
+    if (local.on)
+    {
+      for (int i = 0; i < dim; ++i)
+        f(std::string("seen_") + axis[i], local.seen[i]);
+      auto                 &s = local.state;
+      AlignedVector<double> kept{s.last, s.error, s.ended, s.count, s.moved, s.limit};
+      f("local_steps", kept);
+      s = {kept.at(0), kept.at(1), kept.at(2), kept.at(3), kept.at(4), kept.at(5)};
     }
     f("wall_force", walls.forces());
     if (parameters.options.step_bound == "power-iteration")

@@ -106,9 +106,6 @@ std::vector<int> Solver<dim>::Implementation::partition() const
 template <int dim>
 void Solver<dim>::Implementation::share_out()
 {
-  if (parameters.options.local_steps != "none")
-    throw InputError({"", 0, "FEM/local steps"}, "elements that step by classes cannot be shared among ranks",
-                     "FEM/local steps = none", "or one rank");
   for (auto &component : total)
     component.assign(nodes.size(), 0.);
   distribution.assign(partition(), constraints, nodes);

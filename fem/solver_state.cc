@@ -19,7 +19,7 @@ Surface<dim> Solver<dim>::surface()
   for (int i = 0; i < dim; ++i)
   {
     out.x[i]     = s.nodes.x[i];
-    out.v[i]     = s.nodes.v[i];
+    out.v[i]     = s.local.on ? s.local.seen[i] : s.nodes.v[i];
     out.force[i] = s.nodes.force[i];
   }
   out.mass     = s.nodes.mass;

@@ -14,6 +14,10 @@ namespace ogive::fem
 template <int dim>
 void Solver<dim>::allow_parts()
 {
+  if (self_->local.on)
+    throw InputError({"", 0, "FEM/local steps"},
+                     "elements that step by their own bounds cannot step less often than particles as well",
+                     "FEM/local steps = none, or Subcycling/who = none or elements");
   self_->parts_of_step.resize(self_->nodes.size());
 }
 
@@ -183,7 +187,7 @@ void Solver<dim>::Implementation::add_owed(Balance &b) const
 template <int dim>
 double Solver<dim>::parts_error() const
 {
-  return self_->sum(self_->parts_of_step.error[0]);
+  return self_->sum(self_->parts_of_step.error[0] + self_->local.state.error);
 }
 
 #define OGIVE_INSTANTIATE(d)                                                                                 \

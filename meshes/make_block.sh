@@ -3,13 +3,21 @@
 # Writes block.msh (gmsh 2.2): n x n x n hexahedra of a cube of edge 10 mm, the
 # face z = 0 as physical surface 1, the rest of the boundary 2, the volume 3.
 #     meshes/make_block.sh 4 > meshes/block.msh
+# With a second number one element near the middle is a sliver of that thickness,
+# in edges of the others:
+#     meshes/make_block.sh 8 .1 > meshes/sliver.msh
 set -euo pipefail
-awk -v n="${1:-4}" '
+awk -v n="${1:-4}" -v thin="${2:-1}" '
+# Four nodes, those of one side of the sliver, come close to the other side.
+function along(i, j, k) {
+  m = int(n / 2)
+  return thin < 1 && i == m + 1 && (j == m || j == m + 1) && (k == m || k == m + 1) ? m + thin : i
+}
 function node(i, j, k) { return 1 + i + (n + 1) * (j + (n + 1) * k) }
 BEGIN {
   printf "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n%d\n", (n + 1) ^ 3
   for (k = 0; k <= n; ++k) for (j = 0; j <= n; ++j) for (i = 0; i <= n; ++i)
-    printf "%d %.12g %.12g %.12g\n", node(i, j, k), .01 * i / n, .01 * j / n, .01 * k / n
+    printf "%d %.12g %.12g %.12g\n", node(i, j, k), .01 * along(i, j, k) / n, .01 * j / n, .01 * k / n
   printf "$EndNodes\n$Elements\n%d\n", n ^ 3 + 6 * n ^ 2
   for (b = 0; b < n; ++b) for (a = 0; a < n; ++a) {
     quad(1, node(a, b, 0), node(a + 1, b, 0), node(a + 1, b + 1, 0), node(a, b + 1, 0))

@@ -273,6 +273,139 @@ TEST(Subcycling, EndsWhenItsErrorPassesTheLimit)
   EXPECT_LT(bar.last, .7 * whole);
 }
 
+// who = auto: by the bounds of the first state.
+TEST(Subcycling, AutoIsWhoeverHasTheSmallerBound)
+{
+  const auto settled = [](double elements, double particles, bool wait = true) {
+    input::Subcycling given;
+    given.who = "auto";
+    return Subcycling::settled(given, elements, particles, wait);
+  };
+  EXPECT_EQ(settled(1, 3.5).who, "elements");
+  EXPECT_EQ(settled(1, 3.5).steps, 3);
+  EXPECT_EQ(settled(3.5, 1).who, "particles");
+  EXPECT_EQ(settled(100, 1).steps, 8);
+  EXPECT_EQ(settled(1, 1.9).who, "none");
+  EXPECT_EQ(settled(3.5, 1, false).who, "none");
+  EXPECT_EQ(settled(1, 3.5, false).who, "elements");
+
+  auto scene           = split_bar(.125e-3, .5e-3);
+  const auto plain     = rebound(scene);
+  scene.subcycling.who = "auto";
+  const auto parts     = rebound(scene);
+  EXPECT_EQ(Model<1>(scene).subcycling().who(), "particles");
+  EXPECT_GE(parts.most, 4);
+  EXPECT_NEAR(parts.velocity, plain.velocity, .005); // as with the named ones
+  EXPECT_LE(parts.drift, 1e-12);
+  auto alone = scene;
+  alone.bodies.erase(alone.bodies.begin());
+  alone.interfaces.clear();
+  EXPECT_EQ(Model<1>(alone).subcycling().who(), "none");
+}
+
+namespace
+{
+/// A block of small elements hits one of large ones, all by their own steps; a
+/// zone of particles is tied to the large ones, where `zone`.
+input::Scene uneven_impact(const std::string &ratio, bool zone)
+{
+  auto         scene = steel_scene(input::Dimension::plane_strain);
+  const double a = 2e-3;
+  add_box(scene, "striker", input::Method::fem, {a, 4.02 * a, 0}, {3 * a, 5.02 * a, 0}, a / 6, {20, -110, 0});
+  add_box(scene, "rest", input::Method::fem, {0, 2 * a, 0}, {4 * a, 4 * a, 0}, a, {0, 0, 0});
+  scene.contacts.push_back({"hit", "striker", "rest", .15, .1});
+  if (zone)
+  {
+    add_box(scene, "zone", input::Method::sph, {0, a, 0}, {4 * a, 2 * a, 0}, a / 2, {0, 0, 0});
+    scene.interfaces.push_back({"seam", "tied", "zone", "rest"});
+  }
+  scene.fem.local_steps = ratio;
+  return scene;
+}
+} // namespace
+
+// Contact and seams push as elements of the coarsest class do: over the whole step.
+TEST(LocalSteps, BooksCloseAcrossContactAndSeams)
+{
+  for (const bool zone : {false, true})
+  {
+    Driver<2>  run(uneven_impact("8", zone));
+    const auto before  = run.model.ledger();
+    bool       touched = false;
+    ASSERT_GE(run.model.local_plan().elements.size(), 3u);
+    for (int n = 0; n < 60; ++n)
+    {
+      run.step();
+      touched |= run.model.contact_force() > 0;
+      const auto row = run.model.ledger();
+      ASSERT_LE((row.momentum - before.momentum).norm(), 1e-12 * before.momentum.norm());
+      ASSERT_LE(std::abs(row.total + row.contact_loss - row.interface_work - before.total), 1e-12 * before.kinetic);
+    }
+    EXPECT_TRUE(touched);
+    EXPECT_NE(run.model.ledger().interface_work, 0);
+  }
+}
+
+// The same blow with one step for all: what the struck block has in the end. The
+// stiffness of contact goes with 1/step^2; both get that of the longer step.
+TEST(LocalSteps, PassOnTheSameMomentum)
+{
+  const double longer = Model<2>(uneven_impact("8", false)).stable_dt().dt / Model<2>(uneven_impact("none", false)).stable_dt().dt;
+  EXPECT_GT(longer, 3);
+  double passed[2];
+  for (const bool local : {false, true})
+  {
+    auto scene = uneven_impact(local ? "8" : "none", false);
+    scene.subcycling.energy_limit = .05;
+    if (!local)
+      scene.contacts[0].stiffness /= longer * longer;
+    Driver<2> run(scene);
+    while (run.time < 6e-6) // a wave goes four times through the striker
+      run.step();
+    const auto rest = run.model.sample(1);
+    passed[local]   = 0;
+    for (std::size_t k = 0; k < rest.mass.size(); ++k)
+      passed[local] += rest.mass[k] * rest.v[1][k];
+  }
+  EXPECT_NEAR(passed[1] / passed[0], 1, .02); // two elements across the struck block
+}
+
+// With "auto" contact keeps its stiffness.
+TEST(LocalSteps, AutoLeavesElementsInContactAlone)
+{
+  EXPECT_FALSE(Model<2>(uneven_impact("auto", false)).local_plan().on);
+  auto apart = uneven_impact("auto", false);
+  apart.contacts.clear();
+  EXPECT_TRUE(Model<2>(apart).local_plan().on);
+}
+
+TEST(LocalSteps, EndByTheirErrorOnceAndGoOnAfterACheckpoint)
+{
+  auto scene                    = uneven_impact("8", false);
+  scene.subcycling.energy_limit = 1e-5;
+  Driver<2>                whole(scene), resumed(scene);
+  hand_made::MemoryArchive archive;
+  for (int n = 0; n < 2; ++n)
+    whole.step();
+  whole.model.save(archive);
+  resumed.model.load(archive);
+  resumed.time = whole.time;
+  resumed.last = whole.last;
+  int warnings = 0, again = 0;
+  for (int n = 0; n < 80; ++n)
+  {
+    whole.step();
+    resumed.step();
+    warnings += !whole.model.review().empty();
+    again += !resumed.model.review().empty();
+  }
+  EXPECT_EQ(warnings, 1);
+  EXPECT_EQ(again, 1);
+  EXPECT_EQ(whole.model.local_plan().elements.size(), 1u);
+  EXPECT_EQ(whole.time, resumed.time);
+  EXPECT_EQ(whole.model.ledger().values(), resumed.model.ledger().values());
+}
+
 TEST(Subcycling, RefusesWhatCannotBe)
 {
   auto scene = with_parts(split_bar(.25e-3, .5e-3), "particles", 2.5);
