@@ -222,6 +222,7 @@ void Solver<dim>::Implementation::move_to(const std::vector<int> &owner)
     std::vector<BodyParticles<d>> &);                                                                        \
   template void Solver<d>::Implementation::cut(const std::array<std::vector<double>, d> &,                   \
                                                const std::vector<double> &, std::size_t);                    \
+  template double Solver<d>::Implementation::own_work() const;                                               \
   template bool Solver<d>::Implementation::is_uneven();                                                      \
   template bool Solver<d>::Implementation::has_grown() const;                                                \
   template void Solver<d>::Implementation::share_out(bool);
