@@ -91,7 +91,8 @@ void print_checks(const io::Summary &summary)
   if (summary.sph_particle_steps_per_core_s)
     std::printf("  particles: %.3g particle-steps/s\n", *summary.sph_particle_steps_per_core_s);
   if (summary.fem_element_steps_per_core_s)
-    std::printf("  elements: %.3g element-steps/s\n", *summary.fem_element_steps_per_core_s);
+    std::printf("  elements: %.3g element-steps/s, %.0f %% of them left out: nothing had reached the element\n",
+                *summary.fem_element_steps_per_core_s, 100 * summary.fem_share_skipped.value_or(0));
   if (summary.limiter)
     std::printf("  the step was set by the %s of \"%s\" in %.0f %% of the steps (%s)\n",
                 summary.limiter->entity.c_str(), summary.limiter->body.c_str(), 100 * summary.limiter->share,

@@ -93,6 +93,7 @@ public:
   std::size_t   elements() const { return fem_ ? fem_->size() - fem_->converted_elements() : 0; }
   std::uint64_t particle_updates() const { return sum(sph_ ? sph_->updates() : 0); } ///< of all ranks
   std::uint64_t element_updates() const { return sum(fem_ ? fem_->updates() : 0); }
+  std::uint64_t element_skips() const { return sum(fem_ ? fem_->skipped() : 0); } ///< of them, left out
   /// Processor time that all ranks spent in the particle solver, and in that of the mesh.
   double        sph_seconds() const { return ranks_.sum(sph_seconds_); }
   double        fem_seconds() const { return ranks_.sum(fem_seconds_); }

@@ -314,6 +314,8 @@ io::Summary Run<dim>::finish()
     own.memory = peak_memory();
     summary.shares = ranks_.gather_one(own);
   }
+  if (const std::uint64_t updates = model_.element_updates(); updates > 0)
+    summary.fem_share_skipped = double(model_.element_skips()) / double(updates);
   summary.certificates                 = certificates_;
   summary.warnings                     = log_.warnings();
   on_first(ranks_, [&] { io::write_summary(directory_.summary(), summary); });

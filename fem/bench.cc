@@ -9,7 +9,8 @@
 
 namespace ogive::fem
 {
-BenchResult bench(unsigned int n, std::size_t steps, std::shared_ptr<const materials::Material> material)
+BenchResult bench(unsigned int n, std::size_t steps, std::shared_ptr<const materials::Material> material,
+                  const std::string &element)
 {
   input::Scene scene;
   input::Body  body;
@@ -17,6 +18,7 @@ BenchResult bench(unsigned int n, std::size_t steps, std::shared_ptr<const mater
   body.spacing     = 1e-3;
   body.shape.upper = Vec3::Constant(n * body.spacing);
   auto mesh        = make_mesh<3>(body, scene, 0, std::move(material));
+  mesh.element = element;
   // Strain rates of some 1e4 /s: plastic within microseconds.
   const double rate = 1e4, middle = .5 * n * body.spacing;
   for (std::size_t a = 0; a < mesh.n_nodes(); ++a)

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <string>
 
 namespace ogive::fem
 {
@@ -15,7 +16,8 @@ struct BenchResult
   double      element_steps_per_second = 0;
 };
 
-/// Runs `steps` whole steps of an n x n x n block of one-point hexes of edge
-/// 1 mm that twists and stretches, so that every element strains. One core.
-BenchResult bench(unsigned int n, std::size_t steps, std::shared_ptr<const materials::Material>);
+/// Runs `steps` whole steps of an n x n x n block of hexes (input::Body::element)
+/// of edge 1 mm that twists and stretches, so that every element strains. One core.
+BenchResult bench(unsigned int n, std::size_t steps, std::shared_ptr<const materials::Material>,
+                  const std::string &element = "one-point");
 } // namespace ogive::fem

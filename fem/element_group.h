@@ -136,6 +136,10 @@ public:
   virtual void sum_forces() {}
   /// After the state was read or taken back: sorts the living from the dead.
   virtual void rebury() {}
+  /// After the state was read or taken back: elements that slept are computed again.
+  virtual void wake() {}
+  /// Elements that the last advance() left out, since nothing has reached them.
+  virtual std::size_t skipped() const { return 0; }
 };
 
 /// Elements of the formulation that the mesh names (input::Body::element).

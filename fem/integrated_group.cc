@@ -69,6 +69,7 @@ IntegratedGroup<Element>::IntegratedGroup(const BodyMesh<dim> &mesh, const Group
       point_mass_[slot(e, q, points_of)] = material_->density() * g.volume;
     }
   }
+  find_rows();
 }
 
 template <class Element>
@@ -99,39 +100,6 @@ void IntegratedGroup<Element>::start(const Nodes<dim> &nodes)
     }
     stress(pack, x, held, 1.);
     scatter(pack);
-  }
-}
-
-template <class Element>
-void IntegratedGroup<Element>::gather(const std::array<AlignedVector<double>, dim> &field, std::size_t pack,
-                                      Field &out) const
-{
-  for (int a = 0; a < nodes_of; ++a)
-  {
-    const std::uint32_t *node = &node_[(pack * nodes_of + a) * width];
-    for (int i = 0; i < dim; ++i)
-    {
-      const double *f = field[i].data();
-      out[a][i]       = VDouble([&](auto lane) { return f[node[lane]]; });
-    }
-  }
-}
-
-/// In the order of packs: the same sums every time.
-template <class Element>
-void IntegratedGroup<Element>::scatter(std::size_t pack)
-{
-  const std::size_t lanes = std::min(width, n_ - pack * width);
-  for (int a = 0; a < nodes_of; ++a)
-  {
-    const std::uint32_t *node = &node_[(pack * nodes_of + a) * width];
-    for (int i = 0; i < dim; ++i)
-    {
-      const double *force = &node_force_[((pack * nodes_of + a) * dim + i) * width];
-      double       *sum   = nodal_force_[i].data();
-      for (std::size_t lane = 0; lane < lanes; ++lane)
-        sum[node[lane] - first_node_] += force[lane];
-    }
   }
 }
 
@@ -253,6 +221,8 @@ StepStatus IntegratedGroup<Element>::advance(const Nodes<dim> &nodes, const Time
   {
     if (!strain(nodes, step, pack, held))
       return first_bad(nodes, pack);
+    if ((pack + 1) * width < padded_n_)
+      fetch(pack + 1);
     materials::Increments increments;
     for (int c = 0; c < 6; ++c)
       increments.strain[c] = held.strain[c];

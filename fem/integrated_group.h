@@ -64,14 +64,18 @@ private:
   /// Place of point q of a pack in the arrays of points.
   static std::size_t at(std::size_t pack, int q) { return (pack * points_of + q) * width; }
 
+  // integrated_nodes.cc
+  void    find_rows();
   void    gather(const std::array<AlignedVector<double>, dim> &, std::size_t pack, Field &) const;
+  void    scatter(std::size_t pack);
+  void    fetch(std::size_t pack);
+
   VDouble stress_power(std::size_t pack, int q, const VDouble (&strain)[6]) const;
   VDouble internal_work(std::size_t pack, const Field &v_mean, double kick) const;
   bool    strain(const Nodes<dim> &, const TimeStep &, std::size_t pack, Pack &);
   void    book_energy(std::size_t pack, VDouble work, const Pack &);
   void    stress(std::size_t pack, const Field &x, const Pack &, double dt);
   void    viscosity(std::size_t pack, const Field &x, const Pack &, double dt, VDouble (&q)[points_of]);
-  void    scatter(std::size_t pack);
   void    start(const Nodes<dim> &);
   void    scale_mass(std::size_t pack, VDouble damping, VDouble frequency2);
   void    limit_by(std::size_t pack, VDouble damping, VDouble frequency2);
@@ -90,7 +94,9 @@ private:
   double                                     shear_modulus_, line_ = 0;
   double scaling_ = 0, added_mass_ = 0; ///< 2/dt (1/s) while masses are sought; kg
 
+  static constexpr std::uint32_t no_row = 0xffffffff;
   std::vector<std::uint32_t> node_;             ///< packs of nodes
+  std::vector<std::uint32_t> row_;              ///< as in OnePointGroup
   AlignedVector<double>      node_mass_;        ///< kg, packs of nodes
   AlignedVector<double>      point_mass_;       ///< kg, packs of points
 

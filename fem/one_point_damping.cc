@@ -44,6 +44,7 @@ VDouble OnePointGroup<Element>::half_damping(std::size_t pack, const Motion &mot
 template <class Element>
 void OnePointGroup<Element>::damp(std::span<const std::size_t> elements, double share)
 {
+  quiet_.wake();
   if ((!elements.empty() || shared_) && damping_share_.empty())
     prepare_damping();
   std::fill(damping_share_.begin(), damping_share_.end(), 0.);

@@ -90,6 +90,7 @@ auto OnePointGroup<Element>::kill(std::size_t e) -> Remains
   for (std::size_t k = e; k < (e + 1 == n_ ? padded_n_ : e + 1); ++k)
   {
     alive_[k] = 0;
+    quiet_.moved(k / (width * block_packs));
     material_->initialise(points_, k, k + 1);
     for (AlignedVector<double> *field :
          {&viscous_pressure_, &half_power_, &half_hourglass_, &half_viscous_, &hourglass_energy_, &viscous_heat_})

@@ -11,16 +11,6 @@
 
 namespace ogive::fem
 {
-/// What the strain half of a block hands to the material and to the stress half.
-template <class Element>
-struct OnePointGroup<Element>::Block
-{
-  static constexpr std::size_t n = block_packs * width;
-  alignas(64) double strain[6][n], spin[3][n], density[n], force[corners * dim * n];
-  Shape  shape[block_packs];
-  Motion motion[block_packs];
-};
-
 template <class Element>
 void OnePointGroup<Element>::start(const Nodes<dim> &nodes)
 {
@@ -193,36 +183,19 @@ bool OnePointGroup<Element>::strain(const Nodes<dim> &nodes, const TimeStep &ste
     store(motion.strain[c], &block.strain[c][at]);
   for (int c = 0; c < 3; ++c)
     store(motion.spin[c], &block.spin[c][at]);
-  store(load(&mass_[pack * width]) / shape.volume, &block.density[at]);
+  // At rest the density is that of the undeformed material, and nothing presses.
+  VDouble density = load(&mass_[pack * width]) / shape.volume;
+  stdx::where(stdx::abs(density - rest_) <= 8e-16 * rest_, density) = VDouble(rest_);
+  store(density, &block.density[at]);
   book_energy(pack, work, correction, shape, motion);
   const VDouble energy = load(&points_.energy[pack * width]);
   return stdx::all_of(shape.volume > 0.) && stdx::all_of(energy - energy == 0.);
 }
 
-/// Asks for the state of a block before it is needed: more arrays run side by
-/// side than the processor follows by itself.
-template <class Element>
-void OnePointGroup<Element>::fetch(std::size_t begin, std::size_t count)
-{
-  constexpr std::size_t line = 64 / sizeof(double);
-  const auto            ask  = [&](const AlignedVector<double> &a, std::size_t per_element) {
-    const double *first = a.data() + begin * width * per_element, *last = first + count * width * per_element;
-    for (; first < last; first += line)
-      __builtin_prefetch(first);
-  };
-  if (keeps_forces())
-    ask(corner_force_, corners * dim);
-  ask(Q_, modes * dim);
-  points_.for_each_array([&](const char *, const AlignedVector<double> &a) { ask(a, 1); });
-  for (auto *a : {&mass_, &viscous_pressure_, &half_hourglass_, &half_viscous_, &half_power_,
-                  &hourglass_energy_, &viscous_heat_})
-    ask(*a, 1);
-}
-
 template <class Element>
 StepStatus OnePointGroup<Element>::advance(const Nodes<dim> &nodes, const TimeStep &step)
 {
-  const StepStatus status = corrected_ ? take<true>(nodes, step) : take<false>(nodes, step);
+  const StepStatus status = take(nodes, step);
   if (!agreed(status.ok))
     return status;
   if constexpr (area_weighted)
@@ -233,44 +206,61 @@ StepStatus OnePointGroup<Element>::advance(const Nodes<dim> &nodes, const TimeSt
 }
 
 template <class Element>
-template <bool corrected>
 StepStatus OnePointGroup<Element>::take(const Nodes<dim> &nodes, const TimeStep &step)
 {
   const std::size_t packs = padded_n_ / width;
   limit_                  = {0., 0.};
-  for (auto &component : nodal_force_)
-    std::fill(component.begin(), component.end(), 0.);
-  for (auto &component : weak_force_)
-    std::fill(component.begin(), component.end(), 0.);
+  skipped_                = 0;
+  for (auto *field : {&nodal_force_, &weak_force_})
+    for (auto &component : *field)
+      std::fill(component.begin(), component.end(), 0.);
   Block block;
   for (std::size_t begin = 0; begin < packs; begin += block_packs)
   {
-    const std::size_t count = std::min(block_packs, packs - begin);
-    for (std::size_t k = 0; k < count; ++k)
-      if (!strain<corrected>(nodes, step, begin + k, block, k))
-        return first_bad(nodes, begin + k);
-
-    if (begin + block_packs < packs)
-      fetch(begin + block_packs, std::min(block_packs, packs - begin - block_packs));
-    materials::Increments increments;
-    for (int c = 0; c < 6; ++c)
-      increments.strain[c] = block.strain[c];
-    for (int c = 0; c < 3; ++c)
-      increments.spin[c] = block.spin[c];
-    increments.density = block.density;
-    increments.dt      = step.drift;
-    std::size_t             bad = 0;
-    const materials::Status status =
-      material_->update(points_, begin * width, (begin + count) * width, increments, bad);
-    if (status != materials::Status::ok)
-      return fail(nodes, std::min(bad, n_ - 1), materials::describe(status));
-
-    double *const forces = forces_of(begin, block.force);
-    for (std::size_t k = 0; k < count; ++k)
-      stress<corrected>(begin + k, block.shape[k], block.motion[k], step.drift, forces + k * corners * dim * width);
-    if constexpr (!area_weighted)
-      scatter(begin, count, forces);
+    const std::size_t count  = std::min(block_packs, packs - begin);
+    const StepStatus  status = quiet(nodes, begin, count) ? take_quiet(nodes, step, begin, count, block) :
+                                                            take_block(nodes, step, begin, count, block);
+    if (!status.ok)
+      return status;
   }
+  return {};
+}
+
+template <class Element>
+StepStatus OnePointGroup<Element>::take_block(const Nodes<dim> &nodes, const TimeStep &step, std::size_t begin,
+                                              std::size_t count, Block &block)
+{
+  for (std::size_t k = 0; k < count; ++k)
+    if (!(corrected_ ? strain<true>(nodes, step, begin + k, block, k) :
+                       strain<false>(nodes, step, begin + k, block, k)))
+      return first_bad(nodes, begin + k);
+
+  if (const std::size_t next = begin + count, packs = padded_n_ / width; next < packs)
+    fetch(next, std::min(block_packs, packs - next));
+  materials::Increments increments;
+  for (int c = 0; c < 6; ++c)
+    increments.strain[c] = block.strain[c];
+  for (int c = 0; c < 3; ++c)
+    increments.spin[c] = block.spin[c];
+  increments.density = block.density;
+  increments.dt      = step.drift;
+  std::size_t             bad = 0;
+  const materials::Status status =
+    material_->update(points_, begin * width, (begin + count) * width, increments, bad);
+  if (status != materials::Status::ok)
+    return fail(nodes, std::min(bad, n_ - 1), materials::describe(status));
+
+  double *const forces = forces_of(begin, block.force);
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    double *const own = forces + k * corners * dim * width;
+    if (corrected_)
+      stress<true>(begin + k, block.shape[k], block.motion[k], step.drift, own);
+    else
+      stress<false>(begin + k, block.shape[k], block.motion[k], step.drift, own);
+  }
+  if constexpr (!area_weighted)
+    scatter(begin, count, forces);
   return {};
 }
 

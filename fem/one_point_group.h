@@ -4,6 +4,7 @@
 #include "core/base/simd.h"
 #include "fem/element_group.h"
 #include "fem/elements/hex8_modes.h"
+#include "fem/quiet_blocks.h"
 #include "fem/viscosity/viscosities.h"
 
 namespace ogive::fem
@@ -51,6 +52,8 @@ public:
   bool    alive(std::size_t e) const override { return alive_.empty() || alive_[e] > 0; }
   void    sum_forces() override;
   void    rebury() override;
+  void    wake() override { quiet_.wake(); }
+  std::size_t skipped() const override { return skipped_; }
 
 private:
   static constexpr std::size_t width       = simd_width;
@@ -74,15 +77,23 @@ private:
   static VDouble load(const double *p) { return VDouble(p, stdx::vector_aligned); }
   static void    store(VDouble v, double *p) { v.copy_to(p, stdx::vector_aligned); }
 
+  StepStatus take(const Nodes<dim> &, const TimeStep &);
+  StepStatus take_block(const Nodes<dim> &, const TimeStep &, std::size_t begin, std::size_t count, Block &);
+  // one_point_quiet.cc
+  bool       quiet(const Nodes<dim> &, std::size_t begin, std::size_t count);
+  StepStatus take_quiet(const Nodes<dim> &, const TimeStep &, std::size_t begin, std::size_t count, Block &);
+  template <class F>
+  void       for_each_history(F &&);
+  void       join_limit(const std::array<double, 2> &);
+
   void    find_rows();
+  void    set_masses(const BodyMesh<dim> &);
   void    scatter(std::size_t begin, std::size_t count, const double *forces);
   void    scatter_shares(std::size_t begin, std::size_t count, const double *forces);
   double  share(std::size_t e) const { return share_.empty() ? 1. : share_[e]; }
   void    weigh(const Nodes<dim> &);
   void    gather(const std::array<AlignedVector<double>, dim> &, std::size_t pack, Corners &,
                  std::size_t first = 0) const;
-  template <bool corrected>
-  StepStatus take(const Nodes<dim> &, const TimeStep &);
   template <bool corrected>
   bool    strain(const Nodes<dim> &, const TimeStep &, std::size_t pack, Block &, std::size_t held);
   bool    keeps_forces() const { return !corner_force_.empty(); }
@@ -133,6 +144,9 @@ private:
   AnyBulkViscosity                           bulk_;
   bool                                       viscous_hourglass_, corrected_, split_;
   double                                     shear_modulus_, hourglass_modulus_;
+  double                                     rest_; ///< density of the undeformed material, kg/m^3
+  QuietBlocks                                quiet_;
+  std::size_t                                skipped_ = 0; ///< elements that the last step left out
 
   std::vector<std::uint32_t> node_;         ///< packs of corners
   std::vector<std::uint32_t> row_;          ///< first node of a pack at a corner where the others follow it in memory
@@ -175,5 +189,15 @@ private:
   std::vector<std::uint32_t> own_;     ///< node_ while all live; empty where none can die
   AlignedVector<double>      alive_;   ///< 1 or 0, empty where none can die
   AlignedVector<double>      bound_;   ///< 2/dt of each element, 1/s; where by_step_
+};
+
+/// What the strain half of a block hands to the material and to the stress half.
+template <class Element>
+struct OnePointGroup<Element>::Block
+{
+  static constexpr std::size_t n = block_packs * width;
+  alignas(64) double strain[6][n], spin[3][n], density[n], force[corners * dim * n];
+  Shape  shape[block_packs];
+  Motion motion[block_packs];
 };
 } // namespace ogive::fem

@@ -31,6 +31,7 @@ OnePointGroup<Element>::OnePointGroup(const BodyMesh<dim> &mesh, const GroupPlac
   // A fluid has no shear stiffness; a tenth of its bulk modulus resists the
   // patterns without stiffening the volume response.
   , hourglass_modulus_(shear_modulus_ > 0 ? shear_modulus_ : .1 * mesh.material->bulk_modulus())
+  , rest_(mesh.material->density())
   , grave_(place.grave)
   , by_step_((mesh.erosion.on && mesh.erosion.step > 0) || (mesh.converts && mesh.conversion.step > 0))
 {
@@ -39,8 +40,8 @@ OnePointGroup<Element>::OnePointGroup(const BodyMesh<dim> &mesh, const GroupPlac
   for (auto *a : {&mass_, &viscous_pressure_, &half_hourglass_, &half_viscous_, &half_power_,
                   &hourglass_energy_, &viscous_heat_})
     a->resize(padded_n_, 0.);
-  // Whoever leaves takes its forces along; damping may change under them.
-  if (!modal || mesh.loses_elements())
+  // Whoever leaves takes its forces along; damping, or the velocity, may change under them.
+  if (!modal || mesh.loses_elements() || options.local_steps != "none")
     corner_force_.resize(padded_n_ * corners * dim, 0.);
   Q_.resize(padded_n_ * modes * dim, 0.);
   if (by_step_)
@@ -61,9 +62,6 @@ OnePointGroup<Element>::OnePointGroup(const BodyMesh<dim> &mesh, const GroupPlac
       for (int i = 0; i < dim; ++i)
         x[a][i] = mesh.x[i][node];
     }
-    Geometry<Element, double> g;
-    Element::gradient(x, g);
-    mass_[e] = material_->density() * g.volume;
     if constexpr (Element::hoop)
     {
       double share[corners];
@@ -82,6 +80,34 @@ OnePointGroup<Element>::OnePointGroup(const BodyMesh<dim> &mesh, const GroupPlac
   if (mesh.converts) // a seam will come
     prepare_damping();
   find_rows();
+  set_masses(mesh);
+  // The correction and area weights ask neighbours; with local steps elements change their group.
+  quiet_.resize((padded_n_ / width + block_packs - 1) / block_packs,
+                options.quiescent_skip == "on" && !corrected_ && !area_weighted && options.local_steps == "none");
+}
+
+/// By the registers that measure volumes later: an element at rest has its own density.
+template <class Element>
+void OnePointGroup<Element>::set_masses(const BodyMesh<dim> &mesh)
+{
+  for (std::size_t pack = 0; pack < padded_n_ / width; ++pack)
+  {
+    Corners x;
+    for (int a = 0; a < corners; ++a)
+      for (int i = 0; i < dim; ++i)
+        x[a][i] = VDouble(
+          [&](auto lane) { return mesh.x[i][node_[(pack * corners + a) * width + lane] - first_node_]; });
+    Shape shape;
+    if constexpr (modal)
+    {
+      VDouble X[7][3];
+      modes_of(x, X);
+      shape.volume = areas_of(X, shape.area);
+    }
+    else
+      Element::gradient(x, shape);
+    store(rest_ * shape.volume, &mass_[pack * width]);
+  }
 }
 
 template <class Element>

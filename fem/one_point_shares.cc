@@ -18,6 +18,7 @@ void OnePointGroup<Element>::weigh(std::span<const std::size_t> elements, std::s
                      "elements that share their material with particles can neither die, nor be area-weighted, nor have "
                      "their viscosity corrected",
                      "erosion none, FEM/element one-point, FEM/correction none");
+  quiet_.wake();
   share_.resize(padded_n_, 1.);
   for (std::size_t k = 0; k < elements.size(); ++k)
   {

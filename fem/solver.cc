@@ -272,6 +272,7 @@ StepStatus Solver<dim>::Implementation::advance_elements(const TimeStep &step)
     if (!status.ok && first.ok) // other ranks wait for the rest of the step
       first = status;
     updates += group->size();
+    skipped += group->skipped();
   }
   complete_forces();
   return first;

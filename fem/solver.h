@@ -95,6 +95,9 @@ public:
   Sample        sample(int body) const;
   std::size_t   size() const;
   std::uint64_t updates() const;
+  /// Those of them since this solver was built that were left out, since nothing
+  /// had reached the element (FEM/quiescent skip).
+  std::uint64_t skipped() const;
 
   /// Mass that bodies were given for the sake of the step (FEM/mass scaling
   /// step): bodies with some, and the mass over what they had, before ties.

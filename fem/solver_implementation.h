@@ -44,7 +44,7 @@ struct Solver<dim>::Implementation
   std::array<AlignedVector<double>, dim>          v_old, load; ///< m/s; N, pressures and body forces at t_n
   Surface<dim>                                    face;        ///< lists only; spans are set on demand
   std::vector<AddedMass>                          added_masses; ///< in the order of groups
-  std::uint64_t                                   updates = 0;
+  std::uint64_t                                   updates = 0, skipped = 0;
   CriticalStep<dim>                               critical;
   /// Critical step over the elements' bound when last looked at, and the steps
   /// since then.
@@ -163,6 +163,8 @@ struct Solver<dim>::Implementation
   /// After state was taken back or read.
   void state_was_changed()
   {
+    for (auto &group : groups)
+      group->wake();
     if (!erosion.any())
       return;
     for (auto &group : groups)

@@ -144,6 +144,12 @@ std::uint64_t Solver<dim>::updates() const
 }
 
 template <int dim>
+std::uint64_t Solver<dim>::skipped() const
+{
+  return self_->skipped;
+}
+
+template <int dim>
 void Solver<dim>::add_mass(std::uint32_t node, double mass)
 {
   auto        &s      = *self_;

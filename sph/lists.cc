@@ -118,7 +118,7 @@ void Solver<dim>::Implementation::rebuild_lists()
   viscous_sums.resize(joint ? 0 : n * V::sums_stride);
   // Half sweeps write sums of whatever a row names.
   const std::size_t summed = joint ? all + 1 : n;
-  gradient_sums.resize(summed * L::gradient_stride);
+  gradient_sums.resize(n * L::gradient_stride);
   force_sums.resize(summed * L::forces_stride);
   power_sums.resize(summed * L::powers_stride);
   correction_records.assign((all + 1) * (variable ? L::wide_correction_stride : L::correction_stride), 0.);
@@ -129,6 +129,7 @@ void Solver<dim>::Implementation::rebuild_lists()
   record_damage.assign(all + 1, 0.);
   energy_records.assign((all + 1) * L::energy_stride, 0.);
   size_pairs(pairs);
+  find_blocks();
   index_of_id.assign(n_all(), Solver::elsewhere);
   for (std::size_t i = 0; i < n_own(); ++i)
     index_of_id[store.id[i]] = static_cast<std::uint32_t>(i);
@@ -243,7 +244,7 @@ void Solver<dim>::Implementation::pack_motion()
   find_active();
   for (std::size_t i = 0; i < store.size(); ++i)
   {
-    double *r = &force_records[i * L::force_stride];
+    double r[L::n_motion];
     for (int a = 0; a < dim; ++a)
     {
       r[L::x + a] = store.x[a][i];
@@ -251,6 +252,7 @@ void Solver<dim>::Implementation::pack_motion()
     }
     r[L::weight]  = weight(i);
     r[L::density] = plane_density(i);
+    note_motion(i, r);
   }
   if (reference.on)
     pack_lattice();
@@ -278,7 +280,7 @@ void Solver<dim>::Implementation::reflect_motion()
 template <int dim>
 void Solver<dim>::Implementation::reflect_forces()
 {
-  exchange(force_records, L::force_stride, L::sound, L::force_stride);
+  exchange(force_records, L::force_stride, L::n_motion, L::force_stride);
   for (std::size_t g = 0; g < ghosts.size(); ++g)
   {
     const double *from = &force_records[ghosts.parent[g] * L::force_stride];
@@ -362,11 +364,27 @@ Sweep Solver<dim>::Implementation::rider_sweep_of(const Body &b, double *sums)
   return s;
 }
 
+template <int dim>
+std::size_t Solver<dim>::Implementation::bytes() const
+{
+  std::size_t numbers = 0;
+  const_cast<Store<dim> &>(store).for_each_array([&](const std::string &, const auto &a) { numbers += a.size(); });
+  for (const auto *a :
+       {&force_records, &viscous_records, &sensor_records, &stress_records, &correction_records, &energy_records,
+        &record_damage, &gradient_sums, &mass_sums, &sensor_sums, &force_sums, &viscous_sums, &mean_sums, &power_sums,
+        &velocity_gradient, &reach, &corrected, &wave_number, &radius, &pairs.hourglass, &pairs.viscosity, &pairs.weak})
+    numbers += a->size();
+  const std::size_t words = pairs.rows.row.size() + pairs.rows.half.size() + pairs.rows.half_at.size() +
+                            4 * store.size() + near_surface.size() + active.size(); // id, fixed, touch, body
+  return 8 * (numbers + words) + 4 * (pairs.rows.index.size() + index_of_id.size());
+}
+
 #define OGIVE_INSTANTIATE(d)                                                                                 \
   template void  Solver<d>::Implementation::part_pieces(NeighbourRows &) const;                              \
   template void  Solver<d>::Implementation::list_riders(const std::array<std::span<const double>, d> &,      \
                                                         const std::vector<std::array<std::size_t, 2>> &);    \
   template Sweep Solver<d>::Implementation::rider_sweep_of(const Body &, double *);                          \
+  template std::size_t Solver<d>::Implementation::bytes() const;                                             \
   template void  Solver<d>::Implementation::sort_particles();                                                \
   template void  Solver<d>::Implementation::rebuild_lists();                                                 \
   template void  Solver<d>::Implementation::size_pairs(Pairs &) const;                                       \

@@ -200,6 +200,7 @@ void Solver<dim>::Implementation::place_territory(const ArchiveReader &in, const
     std::copy_n(&boxes[2 * dim * r], dim, territory.boxes[r].lower.begin());
     std::copy_n(&boxes[2 * dim * r + dim], dim, territory.boxes[r].upper.begin());
   }
+  territory.find_overlaps();
   const auto course = in.integers(prefix + "/course");
   cut_at            = static_cast<std::size_t>(course.at(0));
   steps             = static_cast<std::uint64_t>(course.at(1));

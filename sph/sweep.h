@@ -158,7 +158,7 @@ struct SweepFunctions
   Function weak_power              = nullptr; ///< of pair_weak
   Function joint_force = nullptr; ///< force and viscous in one (half/forces.h), directed
   /// Each pair once (half/).
-  Function half_gradient = nullptr, half_force = nullptr, half_correction = nullptr, half_energy = nullptr;
+  Function half_force = nullptr, half_energy = nullptr;
 };
 
 /// Names as in SphOptions.

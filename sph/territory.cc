@@ -20,7 +20,22 @@ Territory<dim> Territory<dim>::cut(const Ranks &ranks, const std::array<std::spa
   t.boxes.resize(ranks.size());
   for (int r = 0; r < ranks.size(); ++r)
     partition.box(r, t.boxes[r].lower, t.boxes[r].upper);
+  t.find_overlaps();
   return t;
+}
+
+template <int dim>
+void Territory<dim>::find_overlaps()
+{
+  disjoint = true;
+  for (std::size_t r = 0; r < boxes.size(); ++r)
+    for (std::size_t q = 0; q < r; ++q)
+    {
+      bool overlap = true;
+      for (int a = 0; a < dim; ++a)
+        overlap = overlap && std::max(boxes[q].lower[a], boxes[r].lower[a]) < std::min(boxes[q].upper[a], boxes[r].upper[a]);
+      disjoint = disjoint && !overlap;
+    }
 }
 
 template <int dim>
@@ -34,9 +49,9 @@ int Territory<dim>::at(const std::array<double, dim> &x, int guess) const
   };
   if (boxes.empty())
     return 0;
-  if (!(beyond(boxes[guess]) > 0))
+  if (disjoint && !(beyond(boxes[guess]) > 0))
     return guess;
-  // With fewer points than ranks a box may be empty; then the nearest takes x.
+  // Empty boxes may leave gaps, where the nearest takes x.
   int    nearest = 0;
   double least   = std::numeric_limits<double>::infinity();
   for (std::size_t r = 0; r < boxes.size(); ++r)

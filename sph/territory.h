@@ -20,13 +20,17 @@ struct Territory
   {
     std::array<double, dim> lower{}, upper{}; ///< x with lower < x <= upper
   };
-  std::vector<Box> boxes; ///< by rank; none: all belongs to the first
+  std::vector<Box> boxes;           ///< by rank; none: all belongs to the first
+  bool             disjoint = true; ///< with fewer points than ranks they need not be: the first one counts
 
   /// Cut so that the weights (> 0) of all ranks' points are even; nobody's if
   /// there is no point at all. Called by all ranks.
   static Territory cut(const Ranks &, const std::array<std::span<const double>, dim> &x, std::span<const double> weight);
 
-  /// Owner of x; `guess` is asked first.
+  /// To be called when boxes were set.
+  void find_overlaps();
+
+  /// Owner of x, the same whatever the guess, who is asked first.
   int at(const std::array<double, dim> &x, int guess) const;
 };
 } // namespace ogive::sph

@@ -139,7 +139,8 @@ std::string to_json(const Summary &s)
                     {"checks", to_json(s.checks)},
                     {"throughput",
                      {{"sph_particle_steps_per_core_s", number(s.sph_particle_steps_per_core_s)},
-                      {"fem_element_steps_per_core_s", number(s.fem_element_steps_per_core_s)}}},
+                      {"fem_element_steps_per_core_s", number(s.fem_element_steps_per_core_s)},
+                       {"fem_share_skipped", number(s.fem_share_skipped)}}},
                     {"limiter", to_json(s.limiter)},
                     {"certificates", to_json(s.certificates)},
                     {"warnings", s.warnings}};

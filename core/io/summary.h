@@ -77,6 +77,7 @@ struct Summary
   std::vector<std::pair<std::string, double>> ledger; ///< J
   Checks                                      checks;
   std::optional<double>                       sph_particle_steps_per_core_s, fem_element_steps_per_core_s;
+  std::optional<double>                       fem_share_skipped; ///< of the element-steps: nothing had reached the elements
   std::optional<Limiter>                      limiter;
   std::vector<Certificate>                    certificates; ///< of seams that were looked at
   std::vector<std::string>                    warnings;

@@ -3,6 +3,7 @@
 
 #include "core/base/simd.h"
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -22,6 +23,28 @@ inline double lane_exp(double x)
   return std::exp(x);
 }
 
+/// sum c_k u^k over [first, first + n), halves side by side: a register waits for
+/// log2 n products instead of n. power = {u, u^2, u^4, u^8}.
+template <std::size_t first, std::size_t n, class T>
+[[gnu::always_inline]] inline T sum_series(const double *c, const T (&power)[4])
+{
+  if constexpr (n == 1)
+    return T(c[first]);
+  else
+  {
+    constexpr std::size_t half = std::bit_floor(n - 1);
+    return sum_series<first, half>(c, power) +
+           power[std::bit_width(half) - 1] * sum_series<first + half, n - half>(c, power);
+  }
+}
+template <std::size_t n, class T>
+[[gnu::always_inline]] inline T sum_series(const double (&c)[n], const T &u)
+{
+  const T u2 = u * u, u4 = u2 * u2;
+  const T power[4] = {u, u2, u4, T(u4 * u4)};
+  return sum_series<0, n>(c, power);
+}
+
 /// ln x, finite normal x > 0, within 2e-16 (1 + |ln x|). x = 2^k m with m in
 /// [sqrt(1/2), sqrt 2], ln m = 2 artanh s with s = (m - 1)/(m + 1).
 inline VDouble lane_log(const VDouble &x)
@@ -33,9 +56,10 @@ inline VDouble lane_log(const VDouble &x)
   const Bits    k    = (bits - half) >> 52;
   const VDouble m    = std::bit_cast<VDouble>(bits - k * whole);
   const VDouble s = (m - 1.) / (m + 1.), z = s * s;
-  VDouble       sum = 1. / 23; // the next term is under 2e-17 of the first
-  for (int n = 21; n >= 3; n -= 2)
-    sum = sum * z + 1. / n;
+  // The next term is under 2e-17 of the first.
+  static constexpr double c[] = {1. / 3,  1. / 5,  1. / 7,  1. / 9,  1. / 11, 1. / 13,
+                                 1. / 15, 1. / 17, 1. / 19, 1. / 21, 1. / 23};
+  const VDouble sum = sum_series(c, z);
   const VDouble e = stdx::static_simd_cast<VDouble>(k);
   return e * ln2_high + (2. * s + (2. * s * z * sum + e * ln2_low));
 }

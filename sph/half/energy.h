@@ -21,6 +21,10 @@ template <int dim, class Kernel>
     const double *own_stress = s.force_records + i * L::force_stride + L::p;
     const double *own_da     = s.correction_records + i * L::correction_stride;
     const HalfRow row(s, i);
+    ask_ahead<1>(s, i, s.energy_records, L::energy_stride);
+    ask_ahead<1>(s, i, s.correction_records, L::correction_stride);
+    ask_ahead<1>(s, i, s.force_records + before, L::force_stride);
+    ask_ahead<1>(s, i, s.sums, L::powers_stride);
     VDouble       sum[L::powers_stride];
 #pragma GCC unroll 32
     for (auto &a : sum)

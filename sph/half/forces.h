@@ -28,6 +28,11 @@ template <int dim, class Kernel, bool limited, bool damage, bool half>
 #pragma GCC unroll 32
     for (auto &a : sum)
       a = 0.;
+    if constexpr (half)
+    {
+      ask_ahead<3>(s, i, s.force_records, L::force_stride);
+      ask_ahead<1>(s, i, s.sums, L::forces_stride);
+    }
     const std::size_t last = half ? s.half[i] : s.row[i + 1];
     for (std::size_t p = s.row[i]; p < last; p += simd_width)
     {

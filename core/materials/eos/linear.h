@@ -13,18 +13,19 @@ struct LinearEos
 
   double bulk_modulus;    ///< Pa
   double inverse_density; ///< of the undeformed state, m^3/kg
+  double rest;            ///< kg/m^3
 
   static LinearEos from(const Parameters &p)
   {
     return {given(ElasticConstants::of(p).bulk, "EOS/bulk modulus",
                   "EOS law \"linear\" (or a young modulus and poisson ratio)"),
-            1 / p.density};
+            1 / p.density, p.density};
   }
 
   template <class T>
   EosResponse<T> at(T density, T) const
   {
-    return {T(bulk_modulus) * (density * T(inverse_density) - T(1)),
+    return {T(bulk_modulus) * ((density - T(rest)) * T(inverse_density)),
             T(bulk_modulus * inverse_density)};
   }
 };

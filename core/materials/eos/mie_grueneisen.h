@@ -42,7 +42,7 @@ struct MieGrueneisen
   EosResponse<T> at(T density, T energy) const
   {
     const T v     = T(1) / density;
-    const T eta   = T(1) - T(rho0) * v;
+    const T eta   = (density - T(rho0)) * v; // exactly zero at rest
     const T slope = select(eta > T(0), T(s), T(0));
     const T gap   = T(1) - slope * eta;
     const T k     = T(rho0 * c0 * c0) / (gap * gap);

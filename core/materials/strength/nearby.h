@@ -5,6 +5,7 @@
 #include "core/materials/lanes.h"
 
 #include <cmath>
+#include <iterator>
 
 namespace ogive::materials
 {
@@ -68,10 +69,7 @@ public:
   T operator()(const T &x, const typename Nearby<T>::Mask &asked)
   {
     const T u   = this->distance(x, asked, [this](const T &at) { return lane_power(at, series_.exponent); });
-    T       sum = T(series_.c[Nearby<T>::terms - 1]);
-    for (int k = Nearby<T>::terms - 2; k >= 0; --k)
-      sum = T(series_.c[k]) + u * sum;
-    return this->value_ * sum;
+    return this->value_ * sum_series(series_.c, u);
   }
 
 private:
@@ -86,10 +84,9 @@ public:
   T operator()(const T &x, const typename Nearby<T>::Mask &asked)
   {
     const T u = this->distance(x, asked, [](const T &at) { return lane_log(at); });
-    T       sum(0);
-    for (int k = Nearby<T>::terms - 1; k >= 1; --k)
-      sum = u * (T(1. / k) - sum);
-    return this->value_ + sum;
+    static constexpr double c[] = {1., -1. / 2, 1. / 3, -1. / 4, 1. / 5, -1. / 6, 1. / 7, -1. / 8};
+    static_assert(std::size(c) == Nearby<T>::terms - 1);
+    return this->value_ + u * sum_series(c, u);
   }
 };
 } // namespace ogive::materials

@@ -167,7 +167,7 @@ TEST(RankedState, SlavesAndStepsInParts)
     std::array<std::vector<double>, 2> force, velocity;
     for (auto *list : {&force[0], &force[1], &velocity[0], &velocity[1]})
       list->assign(slaves.size(), 0.);
-    for (int n = 0; n < 40; ++n)
+    for (int n = 0; n < 25; ++n)
     {
       const TimeStep whole{time, .5 * (before + dt), dt};
       const double   share[3] = {.25, .25, .5};
