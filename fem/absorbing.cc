@@ -59,15 +59,15 @@ void AbsorbingFaces<dim>::apply(const TimeStep &step, const PrescribedMotion<dim
   const auto feels = [&nodes](std::uint32_t a) { return nodes.feels(a); };
   for (const Facet &f : facets_)
     if (std::any_of(f.facet.node.begin(), f.facet.node.end(), feels))
-    for_each_area_share<dim>(nodes, f.facet, axisymmetric_,
-                             [&](int a, const Vector &share)
-                             {
-                               const double area = share.norm();
-                               if (area > 0)
-                                 damping_[slot_.at(f.facet.node[a])] +=
-                                     (f.normal - f.shear) / area * share * share.transpose() +
-                                     f.shear * area * Matrix::Identity();
-                             });
+      for_each_area_share<dim>(nodes, f.facet, axisymmetric_,
+                               [&](int a, const Vector &share)
+                               {
+                                 const double area = share.norm();
+                                 if (area > 0)
+                                   damping_[slot_.at(f.facet.node[a])] +=
+                                       (f.normal - f.shear) / area * share * share.transpose() +
+                                       f.shear * area * Matrix::Identity();
+                               });
   for (std::size_t k = 0; k < nodes_.size(); ++k)
     constraints.for_each_master(nodes_[k], [&](std::uint32_t master, double weight)
                                 { damping_[slot_.at(master)] += weight * damping_[k]; });

@@ -18,9 +18,9 @@ public:
   using Groups = std::vector<std::unique_ptr<ElementGroup<dim>>>;
 
   AllElements(const Groups &groups, const Distribution<dim> &distribution)
-    : groups_(groups)
-    , distribution_(distribution)
-  {}
+      : groups_(groups), distribution_(distribution)
+  {
+  }
 
   std::size_t bodies() const { return groups_.size(); }
   std::size_t cells(std::size_t g) const

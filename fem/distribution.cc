@@ -10,7 +10,7 @@ namespace ogive::fem
 template <int dim>
 Distribution<dim>::Distribution(const Ranks &ranks, const std::vector<BodyMesh<dim>> &meshes,
                                 const std::vector<std::size_t> &first_node)
-  : ranks_(ranks)
+    : ranks_(ranks)
 {
   if (alone())
     return;
@@ -52,7 +52,8 @@ std::vector<int> Distribution<dim>::owners() const
 }
 
 template <int dim>
-void Distribution<dim>::assign(std::span<const int> owner, const Constraints<dim> &constraints, Nodes<dim> &nodes)
+void Distribution<dim>::assign(std::span<const int> owner, const Constraints<dim> &constraints,
+                               Nodes<dim> &nodes)
 {
   require(owner.size() == n_elements(), "a rank for each element");
   for (Body &body : bodies_)
@@ -86,20 +87,22 @@ template <int dim>
 void Distribution<dim>::find_keepers(const Constraints<dim>                     &constraints,
                                      std::vector<std::pair<std::uint32_t, int>> &further)
 {
-  const auto keep = [&](std::uint32_t node, int rank) {
+  const auto keep = [&](std::uint32_t node, int rank)
+  {
     if (owner_of_node_[node] < 0)
       owner_of_node_[node] = rank;
     else if (owner_of_node_[node] != rank)
       further.emplace_back(node, rank);
   };
-  const auto sort = [&] {
+  const auto sort = [&]
+  {
     std::sort(further.begin(), further.end());
     further.erase(std::unique(further.begin(), further.end()), further.end());
   };
   for (const Body &body : bodies_)
   {
     const auto       &list = body.mesh.degree > 1 ? body.mesh.elements : body.mesh.cells;
-    const std::size_t n    = body.owner.size(), each = n > 0 ? list.size() / n : 0;
+    const std::size_t n = body.owner.size(), each = n > 0 ? list.size() / n : 0;
     for (std::size_t k = 0; k < list.size(); ++k)
       keep(static_cast<std::uint32_t>(body.first_node + list[k]), body.owner[k / each]);
   }
@@ -108,13 +111,16 @@ void Distribution<dim>::find_keepers(const Constraints<dim>                     
   const auto before = further;
   for (const std::uint32_t slave : constraints.slaves())
   {
-    const auto [first, last] = std::equal_range(before.begin(), before.end(), std::pair{slave, 0},
-                                                [](const auto &a, const auto &b) { return a.first < b.first; });
-    constraints.for_each_master(slave, [&](std::uint32_t master, double) {
-      keep(master, owner_of_node_[slave]);
-      for (auto it = first; it != last; ++it)
-        keep(master, it->second);
-    });
+    const auto [first, last] =
+        std::equal_range(before.begin(), before.end(), std::pair{slave, 0},
+                         [](const auto &a, const auto &b) { return a.first < b.first; });
+    constraints.for_each_master(slave,
+                                [&](std::uint32_t master, double)
+                                {
+                                  keep(master, owner_of_node_[slave]);
+                                  for (auto it = first; it != last; ++it)
+                                    keep(master, it->second);
+                                });
   }
   sort();
   // The first to come need not be the lowest.
@@ -138,10 +144,12 @@ void Distribution<dim>::find_roles(const std::vector<std::pair<std::uint32_t, in
     if (rank == me)
       nodes.role[node] = Role::kept;
   for (const std::uint32_t slave : constraints.slaves())
-    constraints.for_each_master(slave, [&](std::uint32_t master, double) {
-      if (nodes.keeps(master) && nodes.role[slave] == Role::none)
-        nodes.role[slave] = Role::felt;
-    });
+    constraints.for_each_master(slave,
+                                [&](std::uint32_t master, double)
+                                {
+                                  if (nodes.keeps(master) && nodes.role[slave] == Role::none)
+                                    nodes.role[slave] = Role::felt;
+                                });
 
   std::vector<std::uint32_t>              mine;
   std::vector<std::vector<std::uint32_t>> with(ranks_.size());
@@ -183,7 +191,8 @@ BodyMesh<dim> Distribution<dim>::own_mesh(std::size_t b) const
 {
   const Body   &body = bodies_[b];
   BodyMesh<dim> part = body.mesh;
-  const auto    pick = [&](std::vector<std::uint32_t> &list) {
+  const auto    pick = [&](std::vector<std::uint32_t> &list)
+  {
     const std::size_t          each = body.owner.empty() ? 0 : list.size() / body.owner.size();
     std::vector<std::uint32_t> own;
     for (const std::uint32_t e : body.own)

@@ -64,8 +64,8 @@ public:
   void          set_alive(std::size_t b, std::vector<char> alive) { bodies_[b].alive = std::move(alive); }
 
   std::array<std::uint32_t, corners> nodes(std::size_t b, std::size_t cell) const;
-  int         owner(std::size_t b, std::size_t cell) const { return bodies_[b].owner[cell / bodies_[b].cells_of]; }
-  bool        own(std::size_t b, std::size_t cell) const { return owner(b, cell) == ranks_.rank(); }
+  int  owner(std::size_t b, std::size_t cell) const { return bodies_[b].owner[cell / bodies_[b].cells_of]; }
+  bool own(std::size_t b, std::size_t cell) const { return owner(b, cell) == ranks_.rank(); }
   /// Of a cell within its owner's group, and back for the groups of this rank.
   std::size_t local(std::size_t b, std::size_t cell) const
   {
@@ -79,7 +79,7 @@ public:
   }
 
   /// By owner; nodes that nobody owns (graves) are left out.
-  NodeList list(std::span<const std::uint32_t> nodes) const;
+  NodeList        list(std::span<const std::uint32_t> nodes) const;
   const NodeList &all_nodes() const { return all_; }
   /// Nodes that are known everywhere after each step, and the runs of those that this
   /// rank keeps up in body b.
@@ -89,7 +89,8 @@ public:
 
 private:
   void find_keepers(const Constraints<dim> &, std::vector<std::pair<std::uint32_t, int>> &further);
-  void find_roles(const std::vector<std::pair<std::uint32_t, int>> &further, const Constraints<dim> &, Nodes<dim> &);
+  void find_roles(const std::vector<std::pair<std::uint32_t, int>> &further, const Constraints<dim> &,
+                  Nodes<dim> &);
 
   Ranks                         ranks_;
   std::vector<Body>             bodies_;

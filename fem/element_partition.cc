@@ -19,8 +19,9 @@ std::vector<int> partition_elements(const Ranks &ranks, const std::string &how, 
   if (how != "rcb" && how != "p4est")
     throw InputError({"", 0, "Parallel/partition"}, "is " + how, "rcb or p4est");
   // Each rank brings in an even part of the elements.
-  const auto        at    = [&](int r) { return n * static_cast<std::size_t>(r) / static_cast<std::size_t>(ranks.size()); };
-  const std::size_t first = at(ranks.rank()), count = at(ranks.rank() + 1) - first;
+  const auto at = [&](int r)
+  { return n * static_cast<std::size_t>(r) / static_cast<std::size_t>(ranks.size()); };
+  const std::size_t                        first = at(ranks.rank()), count = at(ranks.rank() + 1) - first;
   std::array<std::span<const double>, dim> x;
   for (int i = 0; i < dim; ++i)
     x[i] = std::span(all.x[i]).subspan(first, count);

@@ -14,11 +14,11 @@ namespace ogive::fem
 template <int dim>
 struct ElementCloud
 {
-  static constexpr int                 corners = 1 << dim;
-  std::array<std::vector<double>, dim> x;      ///< centres, m
-  std::vector<double>                  work;   ///< counted cost of a step, > 0
-  std::vector<std::array<double, dim>> vertex; ///< m
-  std::vector<std::array<unsigned int, corners>> cell; ///< vertices of each element, VTK order
+  static constexpr int                           corners = 1 << dim;
+  std::array<std::vector<double>, dim>           x;      ///< centres, m
+  std::vector<double>                            work;   ///< counted cost of a step, > 0
+  std::vector<std::array<double, dim>>           vertex; ///< m
+  std::vector<std::array<unsigned int, corners>> cell;   ///< vertices of each element, VTK order
 };
 
 /// A rank for each element, so that the work of all ranks is even. "rcb": boxes of

@@ -17,9 +17,9 @@ struct ElementStore
     std::size_t         width = 0; ///< numbers an element
     std::vector<double> values;    ///< element after element
   };
-  std::vector<Array>  arrays;
-  std::vector<Array>  nodes;         ///< width 1, all nodes of the body
-  double              bound   = 0;   ///< largest 2/dt of all ranks, 1/s
-  double              element = 0;   ///< that sets it, within the body
+  std::vector<Array> arrays;
+  std::vector<Array> nodes;       ///< width 1, all nodes of the body
+  double             bound   = 0; ///< largest 2/dt of all ranks, 1/s
+  double             element = 0; ///< that sets it, within the body
 };
 } // namespace ogive::fem

@@ -19,7 +19,7 @@ template <int dim>
 void create(dealii::parallel::distributed::Triangulation<dim> &tria, const ElementCloud<dim> &all)
 {
   // VTK order to that of deal.II
-  constexpr int order[8] = {0, 1, 3, 2, 4, 5, 7, 6};
+  constexpr int                      order[8] = {0, 1, 3, 2, 4, 5, 7, 6};
   std::vector<dealii::Point<dim>>    vertices(all.vertex.size());
   std::vector<dealii::CellData<dim>> cells(all.cell.size());
   for (std::size_t v = 0; v < vertices.size(); ++v)
@@ -44,15 +44,18 @@ std::vector<int> partition_by_forest(const Ranks &ranks, const ElementCloud<dim>
   else
   {
     dealii::parallel::distributed::Triangulation<dim> tria(
-      *static_cast<const MPI_Comm *>(ranks.communicator()), dealii::Triangulation<dim>::none,
-      dealii::parallel::distributed::Triangulation<dim>::no_automatic_repartitioning);
+        *static_cast<const MPI_Comm *>(ranks.communicator()), dealii::Triangulation<dim>::none,
+        dealii::parallel::distributed::Triangulation<dim>::no_automatic_repartitioning);
     create(tria, all);
     const double most = *std::max_element(all.work.begin(), all.work.end());
-    tria.signals.weight.connect([&](const auto &cell, const auto) -> unsigned int {
-      return std::max(1u, static_cast<unsigned int>(std::lround(1e4 * all.work[cell->id().get_coarse_cell_id()] / most)));
-    });
+    tria.signals.weight.connect(
+        [&](const auto &cell, const auto) -> unsigned int
+        {
+          return std::max(1u, static_cast<unsigned int>(
+                                  std::lround(1e4 * all.work[cell->id().get_coarse_cell_id()] / most)));
+        });
     tria.repartition();
-    std::vector<int> rank(all.work.size(), 0);
+    std::vector<int>           rank(all.work.size(), 0);
     std::vector<std::uint32_t> own;
     for (const auto &cell : tria.active_cell_iterators())
       if (cell->is_locally_owned())

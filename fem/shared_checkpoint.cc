@@ -21,8 +21,9 @@ Kind kind_of(const std::string &name)
 {
   if (name == "work" || name == "wall_force" || name == "parts_error")
     return Kind::parts;
-  return name.find('/') != std::string::npos || name.starts_with("element_force_") || name == "age" ? Kind::other :
-                                                                                                     Kind::same;
+  return name.find('/') != std::string::npos || name.starts_with("element_force_") || name == "age"
+             ? Kind::other
+             : Kind::same;
 }
 } // namespace
 
@@ -32,19 +33,20 @@ void Solver<dim>::Implementation::save_shared(ArchiveWriter &archive, const std:
   const Ranks &ranks = distribution.ranks();
   complete_nodes();
   const auto stores = take_state();
-  const auto write  = [&](const std::string &name, std::span<const double> values) {
-    archive.write(prefix + "/" + name, values);
-  };
-  for_each_state([&](const std::string &name, AlignedVector<double> &a) {
-    if (kind_of(name) == Kind::same)
-      write(name, a);
-    else if (kind_of(name) == Kind::parts)
-    {
-      std::vector<double> all(a.begin(), a.end());
-      ranks.sum(std::span<double>(all));
-      write(name, all);
-    }
-  });
+  const auto write  = [&](const std::string &name, std::span<const double> values)
+  { archive.write(prefix + "/" + name, values); };
+  for_each_state(
+      [&](const std::string &name, AlignedVector<double> &a)
+      {
+        if (kind_of(name) == Kind::same)
+          write(name, a);
+        else if (kind_of(name) == Kind::parts)
+        {
+          std::vector<double> all(a.begin(), a.end());
+          ranks.sum(std::span<double>(all));
+          write(name, all);
+        }
+      });
   write("age", age);
   const std::vector<int>          owners = distribution.owners();
   const std::vector<std::int64_t> rank_of(owners.begin(), owners.end());
@@ -66,17 +68,20 @@ template <int dim>
 void Solver<dim>::Implementation::load_shared(const ArchiveReader &archive, const std::string &prefix)
 {
   const std::int64_t written_by = archive.integer(prefix + "/ranks");
-  for_each_state([&](const std::string &name, AlignedVector<double> &a) {
-    if (kind_of(name) == Kind::other)
-      return;
-    const std::vector<double> values = archive.doubles(prefix + "/" + name);
-    if (values.size() != a.size())
-      throw InputError("checkpoint entry \"" + prefix + "/" + name + "\" has " + std::to_string(values.size()) +
-                       " values where the scene's mesh needs " + std::to_string(a.size()));
-    std::copy(values.begin(), values.end(), a.begin());
-    if (kind_of(name) == Kind::parts && !distribution.ranks().first())
-      std::fill(a.begin(), a.end(), 0.);
-  });
+  for_each_state(
+      [&](const std::string &name, AlignedVector<double> &a)
+      {
+        if (kind_of(name) == Kind::other)
+          return;
+        const std::vector<double> values = archive.doubles(prefix + "/" + name);
+        if (values.size() != a.size())
+          throw InputError("checkpoint entry \"" + prefix + "/" + name + "\" has " +
+                           std::to_string(values.size()) + " values where the scene's mesh needs " +
+                           std::to_string(a.size()));
+        std::copy(values.begin(), values.end(), a.begin());
+        if (kind_of(name) == Kind::parts && !distribution.ranks().first())
+          std::fill(a.begin(), a.end(), 0.);
+      });
   age[0] = written_by > 1 ? archive.number(prefix + "/age") : 0.;
   if (!distribution.alone())
   {
@@ -123,15 +128,16 @@ std::vector<ElementStore> Solver<dim>::Implementation::read_stores(const Archive
     for (auto &array : stores[g].arrays)
     {
       const auto        values = archive.doubles(group + array.name);
-      const std::size_t rows   = written_by > 1 ? n : padded(n), w = array.width;
+      const std::size_t rows = written_by > 1 ? n : padded(n), w = array.width;
       if (values.size() != rows * w)
-        throw InputError("checkpoint entry \"" + group + array.name + "\" has " + std::to_string(values.size()) +
-                         " values where the scene's mesh needs " + std::to_string(rows * w));
+        throw InputError("checkpoint entry \"" + group + array.name + "\" has " +
+                         std::to_string(values.size()) + " values where the scene's mesh needs " +
+                         std::to_string(rows * w));
       for (const std::uint32_t e : own)
         for (std::size_t j = 0; j < w; ++j)
-          array.values.push_back(
-            written_by > 1 ? values[place[e] * w + j] :
-                             values[(e / simd_width * w + j) * simd_width + e % simd_width]);
+          array.values.push_back(written_by > 1
+                                     ? values[place[e] * w + j]
+                                     : values[(e / simd_width * w + j) * simd_width + e % simd_width]);
     }
     for (auto &array : stores[g].nodes)
       array.values = archive.doubles(group + array.name);
@@ -143,7 +149,7 @@ std::vector<ElementStore> Solver<dim>::Implementation::read_stores(const Archive
   return stores;
 }
 
-#define OGIVE_INSTANTIATE(d)                                                                                  \
+#define OGIVE_INSTANTIATE(d)                                                                                 \
   template void Solver<d>::Implementation::save_shared(ArchiveWriter &, const std::string &);                \
   template void Solver<d>::Implementation::load_shared(const ArchiveReader &, const std::string &);
 OGIVE_INSTANTIATE(1)

@@ -7,10 +7,9 @@ namespace ogive::fem
 {
 SharedNodes::SharedNodes(const Ranks &ranks, std::vector<std::uint32_t> nodes,
                          std::vector<std::vector<std::uint32_t>> with)
-  : ranks_(ranks)
-  , nodes_(std::move(nodes))
-  , halo_(ranks, with, with)
-{}
+    : ranks_(ranks), nodes_(std::move(nodes)), halo_(ranks, with, with)
+{
+}
 
 void SharedNodes::sum(std::span<double *const> arrays, std::size_t first, std::size_t last) const
 {

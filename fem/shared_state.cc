@@ -12,8 +12,14 @@ namespace ogive::fem
 namespace
 {
 /// See ElementGroup::for_each_state.
-bool of_nodes(const std::string &name) { return name.starts_with("nodal_") || name.starts_with("weak_acceleration_"); }
-bool of_elements(const std::string &name) { return !of_nodes(name) && name != "limit"; }
+bool of_nodes(const std::string &name)
+{
+  return name.starts_with("nodal_") || name.starts_with("weak_acceleration_");
+}
+bool of_elements(const std::string &name)
+{
+  return !of_nodes(name) && name != "limit";
+}
 
 /// Entry j of `width` of element e in packs.
 std::size_t slot(std::size_t e, std::size_t j, std::size_t width)
@@ -41,15 +47,17 @@ std::vector<ElementStore> Solver<dim>::Implementation::layout()
   for (std::size_t g = 0; g < groups.size(); ++g)
   {
     const std::size_t n = groups[g]->size();
-    groups[g]->for_each_state([&](const std::string &name, AlignedVector<double> &a) {
-      if (of_nodes(name))
-        own << g << " 0 " << name << '\n';
-      else if (of_elements(name) && n > 0)
-        own << g << ' ' << a.size() / padded(n) << ' ' << name << '\n';
-    });
+    groups[g]->for_each_state(
+        [&](const std::string &name, AlignedVector<double> &a)
+        {
+          if (of_nodes(name))
+            own << g << " 0 " << name << '\n';
+          else if (of_elements(name) && n > 0)
+            own << g << ' ' << a.size() / padded(n) << ' ' << name << '\n';
+        });
   }
   const std::string         words = own.str();
-  const auto                each  = distribution.ranks().gather(std::vector<char>(words.begin(), words.end()));
+  const auto                each = distribution.ranks().gather(std::vector<char>(words.begin(), words.end()));
   std::istringstream        in(std::string(each.begin(), each.end()));
   std::vector<ElementStore> stores(groups.size());
   std::size_t               g, width;
@@ -68,25 +76,26 @@ std::vector<ElementStore> Solver<dim>::Implementation::take_state()
   auto stores = layout();
   for (std::size_t g = 0; g < groups.size(); ++g)
   {
-    ElementStore      &store = stores[g];
-    const auto         own   = own_elements(g);
+    ElementStore         &store = stores[g];
+    const auto            own   = own_elements(g);
     std::array<double, 2> limit{};
-    const auto find = [&](auto &arrays, const std::string &name) -> ElementStore::Array & {
-      return *std::find_if(arrays.begin(), arrays.end(), [&](const auto &a) { return a.name == name; });
-    };
-    groups[g]->for_each_state([&](const std::string &name, AlignedVector<double> &a) {
-      if (name == "limit")
-        limit = {a[0], a[0] > 0 ? double(own.at(static_cast<std::size_t>(a[1]))) : -1.};
-      else if (of_nodes(name))
-        find(store.nodes, name).values.assign(a.begin(), a.end());
-      else if (!own.empty())
-      {
-        auto &array = find(store.arrays, name);
-        for (std::size_t e = 0; e < own.size(); ++e)
-          for (std::size_t j = 0; j < array.width; ++j)
-            array.values.push_back(a[slot(e, j, array.width)]);
-      }
-    });
+    const auto            find = [&](auto &arrays, const std::string &name) -> ElementStore::Array &
+    { return *std::find_if(arrays.begin(), arrays.end(), [&](const auto &a) { return a.name == name; }); };
+    groups[g]->for_each_state(
+        [&](const std::string &name, AlignedVector<double> &a)
+        {
+          if (name == "limit")
+            limit = {a[0], a[0] > 0 ? double(own.at(static_cast<std::size_t>(a[1]))) : -1.};
+          else if (of_nodes(name))
+            find(store.nodes, name).values.assign(a.begin(), a.end());
+          else if (!own.empty())
+          {
+            auto &array = find(store.arrays, name);
+            for (std::size_t e = 0; e < own.size(); ++e)
+              for (std::size_t j = 0; j < array.width; ++j)
+                array.values.push_back(a[slot(e, j, array.width)]);
+          }
+        });
     for (const auto &other : distribution.ranks().gather_one(limit))
       if (other[0] > store.bound || (other[0] == store.bound && other[1] < store.element))
       {
@@ -131,39 +140,44 @@ void Solver<dim>::Implementation::give_state(const std::vector<ElementStore> &st
   for (std::size_t g = 0; g < groups.size(); ++g)
   {
     const std::size_t first = parts[g].first_node, n = groups[g]->size();
-    const auto        own   = own_elements(g);
-    const auto        find  = [&](const auto &arrays, const std::string &name) -> const ElementStore::Array & {
-      const auto at = std::find_if(arrays.begin(), arrays.end(), [&](const auto &a) { return a.name == name; });
+    const auto        own  = own_elements(g);
+    const auto        find = [&](const auto &arrays, const std::string &name) -> const ElementStore::Array &
+    {
+      const auto at =
+          std::find_if(arrays.begin(), arrays.end(), [&](const auto &a) { return a.name == name; });
       require(at != arrays.end(), "the state of elements lacks an array");
       return *at;
     };
-    groups[g]->for_each_state([&](const std::string &name, AlignedVector<double> &a) {
-      if (name == "limit")
-      {
-        const auto at = std::lower_bound(own.begin(), own.end(), stores[g].element);
-        const bool here = at != own.end() && *at == stores[g].element;
-        a[0] = here ? stores[g].bound : 0.;
-        a[1] = here ? static_cast<double>(at - own.begin()) : 0.;
-      }
-      else if (of_nodes(name))
-      {
-        const auto &values = find(stores[g].nodes, name).values;
-        const bool  force  = name.starts_with("nodal_force_");
-        for (std::size_t k = 0; k < a.size(); ++k)
-          a[k] = force && !nodes.counts(first + k) ? 0. : values.at(k);
-        for (int i = 0; i < dim && force && !distribution.alone(); ++i)
-          if (name.back() == "xyz"[i])
-            std::copy(values.begin(), values.end(), total[i].begin() + static_cast<std::ptrdiff_t>(first));
-      }
-      else if (n > 0)
-      {
-        const auto &array = find(stores[g].arrays, name);
-        require(a.size() == array.width * padded(n), "arrays of elements are of one width");
-        for (std::size_t e = 0; e < padded(n); ++e) // copies of the last fill up the pack
-          for (std::size_t j = 0; j < array.width; ++j)
-            a[slot(e, j, array.width)] = array.values.at(std::min(e, n - 1) * array.width + j);
-      }
-    });
+    groups[g]->for_each_state(
+        [&](const std::string &name, AlignedVector<double> &a)
+        {
+          if (name == "limit")
+          {
+            const auto at   = std::lower_bound(own.begin(), own.end(), stores[g].element);
+            const bool here = at != own.end() && *at == stores[g].element;
+            a[0]            = here ? stores[g].bound : 0.;
+            a[1]            = here ? static_cast<double>(at - own.begin()) : 0.;
+          }
+          else if (of_nodes(name))
+          {
+            const auto &values = find(stores[g].nodes, name).values;
+            const bool  force  = name.starts_with("nodal_force_");
+            for (std::size_t k = 0; k < a.size(); ++k)
+              a[k] = force && !nodes.counts(first + k) ? 0. : values.at(k);
+            for (int i = 0; i < dim && force && !distribution.alone(); ++i)
+              if (name.back() == "xyz"[i])
+                std::copy(values.begin(), values.end(),
+                          total[i].begin() + static_cast<std::ptrdiff_t>(first));
+          }
+          else if (n > 0)
+          {
+            const auto &array = find(stores[g].arrays, name);
+            require(a.size() == array.width * padded(n), "arrays of elements are of one width");
+            for (std::size_t e = 0; e < padded(n); ++e) // copies of the last fill up the pack
+              for (std::size_t j = 0; j < array.width; ++j)
+                a[slot(e, j, array.width)] = array.values.at(std::min(e, n - 1) * array.width + j);
+          }
+        });
   }
   if (!distribution.alone())
     fold_total();
@@ -184,12 +198,13 @@ std::vector<ElementStore> Solver<dim>::Implementation::move_state(const std::vec
       if (from[at++] == ranks.rank())
       {
         for (const auto &array : stores[g].arrays)
-          to[owner].insert(to[owner].end(), array.values.begin() + static_cast<std::ptrdiff_t>(row * array.width),
+          to[owner].insert(to[owner].end(),
+                           array.values.begin() + static_cast<std::ptrdiff_t>(row * array.width),
                            array.values.begin() + static_cast<std::ptrdiff_t>((row + 1) * array.width));
         ++row;
       }
   }
-  const auto                come  = ranks.swap(to);
+  const auto                come = ranks.swap(to);
   std::vector<std::size_t>  read(come.size(), 0);
   std::vector<ElementStore> moved = stores;
   at                              = 0;
@@ -228,21 +243,23 @@ void Solver<dim>::Implementation::complete_nodes()
       for (auto *field : {&parts_of_step.shift[i], &parts_of_step.owed[i]})
         arrays.push_back(field->data());
   }
-  critical.for_each_state([&](int, AlignedVector<double> &u) {
-    if (u.size() == nodes.size())
-      arrays.push_back(u.data());
-  });
+  critical.for_each_state(
+      [&](int, AlignedVector<double> &u)
+      {
+        if (u.size() == nodes.size())
+          arrays.push_back(u.data());
+      });
   distribution.tell(distribution.all_nodes(), arrays);
 }
 
-#define OGIVE_INSTANTIATE(d)                                                                                     \
-  template std::vector<std::uint32_t> Solver<d>::Implementation::own_elements(std::size_t) const;                \
-  template std::vector<ElementStore>  Solver<d>::Implementation::layout();                                       \
-  template std::vector<ElementStore>  Solver<d>::Implementation::take_state();                                   \
-  template void                       Solver<d>::Implementation::give_state(const std::vector<ElementStore> &);  \
-  template std::vector<ElementStore>  Solver<d>::Implementation::move_state(const std::vector<ElementStore> &,   \
-                                                                           const std::vector<int> &) const;      \
-  template void                       Solver<d>::Implementation::complete_nodes();
+#define OGIVE_INSTANTIATE(d)                                                                                   \
+  template std::vector<std::uint32_t> Solver<d>::Implementation::own_elements(std::size_t) const;              \
+  template std::vector<ElementStore>  Solver<d>::Implementation::layout();                                     \
+  template std::vector<ElementStore>  Solver<d>::Implementation::take_state();                                 \
+  template void                      Solver<d>::Implementation::give_state(const std::vector<ElementStore> &); \
+  template std::vector<ElementStore> Solver<d>::Implementation::move_state(                                    \
+      const std::vector<ElementStore> &, const std::vector<int> &) const;                                      \
+  template void Solver<d>::Implementation::complete_nodes();
 OGIVE_INSTANTIATE(1)
 OGIVE_INSTANTIATE(2)
 OGIVE_INSTANTIATE(3)

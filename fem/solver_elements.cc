@@ -74,8 +74,8 @@ void Solver<dim>::gather_pressing_states(std::span<const std::uint32_t> elements
   const auto               all = s.distribution.ranks().gather(own, &next);
   for (std::size_t k = 0; k < elements.size(); ++k)
   {
-    const auto   [g, e] = s.find(elements[k]);
-    std::size_t &at     = next[s.distribution.owner(g, e)];
+    const auto [g, e] = s.find(elements[k]);
+    std::size_t &at   = next[s.distribution.owner(g, e)];
     set_row(to, k, &all[at]);
     at += row_of(to, k).size();
   }
@@ -98,7 +98,8 @@ void Solver<dim>::weigh(int body, std::span<const std::uint32_t> elements, std::
 {
   auto &s = *self_;
   if (!s.constraints.empty())
-    throw InputError({"", 0, "Interfaces"}, "elements of tied meshes cannot share their material with particles",
+    throw InputError({"", 0, "Interfaces"},
+                     "elements of tied meshes cannot share their material with particles",
                      "no ties between bodies of elements");
   if (!s.distribution.alone())
     s.weighed.push_back({body, {elements.begin(), elements.end()}, {shares.begin(), shares.end()}});
@@ -149,15 +150,17 @@ void Solver<dim>::Implementation::weigh_own(std::size_t g, std::span<const std::
   groups[g]->weigh(own_of(g, elements), own, nodes);
 }
 
-#define OGIVE_INSTANTIATE(d)                                                                                         \
-  template void Solver<d>::copy_state(std::uint32_t, materials::Points &, std::size_t) const;                        \
-  template void Solver<d>::copy_pressing_state(std::uint32_t, materials::Points &, std::size_t) const;               \
-  template void Solver<d>::gather_pressing_states(std::span<const std::uint32_t>, materials::Points &) const;        \
-  template void Solver<d>::damp(int, std::span<const std::uint32_t>, double);                                        \
-  template void Solver<d>::weigh(int, std::span<const std::uint32_t>, std::span<const double>);                      \
-  template std::vector<std::size_t> Solver<d>::Implementation::own_of(std::size_t, std::span<const std::uint32_t>)   \
-    const;                                                                                                           \
-  template void Solver<d>::Implementation::weigh_own(std::size_t, std::span<const std::uint32_t>, std::span<const double>);
+#define OGIVE_INSTANTIATE(d)                                                                                 \
+  template void Solver<d>::copy_state(std::uint32_t, materials::Points &, std::size_t) const;                \
+  template void Solver<d>::copy_pressing_state(std::uint32_t, materials::Points &, std::size_t) const;       \
+  template void Solver<d>::gather_pressing_states(std::span<const std::uint32_t>, materials::Points &)       \
+      const;                                                                                                 \
+  template void Solver<d>::damp(int, std::span<const std::uint32_t>, double);                                \
+  template void Solver<d>::weigh(int, std::span<const std::uint32_t>, std::span<const double>);              \
+  template std::vector<std::size_t> Solver<d>::Implementation::own_of(std::size_t,                           \
+                                                                      std::span<const std::uint32_t>) const; \
+  template void Solver<d>::Implementation::weigh_own(std::size_t, std::span<const std::uint32_t>,            \
+                                                     std::span<const double>);
 OGIVE_INSTANTIATE(1)
 OGIVE_INSTANTIATE(2)
 OGIVE_INSTANTIATE(3)

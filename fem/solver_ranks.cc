@@ -47,8 +47,8 @@ void Solver<dim>::Implementation::fold_total()
     for (auto &component : total)
     {
       const double force = std::exchange(component[slave], 0.);
-      constraints.for_each_master(slave,
-                                  [&](std::uint32_t master, double weight) { component[master] += weight * force; });
+      constraints.for_each_master(slave, [&](std::uint32_t master, double weight)
+                                  { component[master] += weight * force; });
     }
 }
 
@@ -94,17 +94,13 @@ struct Word
 {
   double       dt  = 0;
   int          bad = 0, body = -1;
-  std::int64_t id = -1;
-  double       where[3] = {};
+  std::int64_t id         = -1;
+  double       where[3]   = {};
   char         entity[24] = {}, why[104] = {};
 
   Word() = default;
   Word(const Culprit &c, double limit, bool fails)
-    : dt(limit)
-    , bad(fails)
-    , body(c.body)
-    , id(c.id)
-    , where{c.where[0], c.where[1], c.where[2]}
+      : dt(limit), bad(fails), body(c.body), id(c.id), where{c.where[0], c.where[1], c.where[2]}
   {
     std::strncpy(entity, c.entity, sizeof(entity) - 1);
     std::strncpy(why, c.why, sizeof(why) - 1);
@@ -166,7 +162,9 @@ Culprit Solver<dim>::Implementation::numbered(Culprit c) const
     if (groups[g]->body() == c.body)
     {
       const std::size_t local = static_cast<std::size_t>(c.id) - parts[g].first_element;
-      c.id = groups[g]->size() == 0 ? -1 : static_cast<std::int64_t>(parts[g].first_element + distribution.global(g, local));
+      c.id                    = groups[g]->size() == 0
+                                    ? -1
+                                    : static_cast<std::int64_t>(parts[g].first_element + distribution.global(g, local));
     }
   return c;
 }
@@ -206,9 +204,9 @@ void Solver<dim>::Implementation::bury(const std::vector<std::vector<std::size_t
   for (Death &death : own)
     death.cell = distribution.global(death.group, death.cell);
   auto all = distribution.ranks().gather(own);
-  std::sort(all.begin(), all.end(), [](const Death &a, const Death &b) {
-    return std::pair(a.group, a.cell) < std::pair(b.group, b.cell);
-  });
+  std::sort(all.begin(), all.end(),
+            [](const Death &a, const Death &b)
+            { return std::pair(a.group, a.cell) < std::pair(b.group, b.cell); });
   std::vector<bool> touched(groups.size(), false);
   for (const Death &death : all)
   {
@@ -249,7 +247,8 @@ Balance Solver<dim>::Implementation::sum(const Balance &own) const
     return own;
   Balance             all = own;
   std::vector<double> values;
-  const auto          visit = [&all](auto &&f) {
+  const auto          visit = [&all](auto &&f)
+  {
     for (double *x : {&all.mass, &all.kinetic, &all.elastic, &all.plastic_work, &all.viscosity_heat,
                       &all.bulk_viscosity_heat, &all.hourglass_fem, &all.hourglass_sph, &all.external_work,
                       &all.wall_loss, &all.friction_heat, &all.absorbed, &all.thermal, &all.eroded_mass,
@@ -266,16 +265,16 @@ Balance Solver<dim>::Implementation::sum(const Balance &own) const
   return all;
 }
 
-#define OGIVE_INSTANTIATE(d)                                                                               \
-  template void       Solver<d>::Implementation::add_up(std::size_t, std::size_t);                         \
-  template void       Solver<d>::Implementation::complete_forces();                                        \
-  template void       Solver<d>::Implementation::fold_total();                                             \
-  template void       Solver<d>::Implementation::show();                                                   \
-  template void       Solver<d>::Implementation::complete_motion();                                        \
-  template void       Solver<d>::refresh_all();                                                            \
-  template StepLimit  Solver<d>::Implementation::agree(const StepLimit &) const;                           \
-  template StepStatus Solver<d>::Implementation::conclude(const StepStatus &);                             \
-  template void       Solver<d>::Implementation::count_the_living();                                       \
+#define OGIVE_INSTANTIATE(d)                                                                                 \
+  template void       Solver<d>::Implementation::add_up(std::size_t, std::size_t);                           \
+  template void       Solver<d>::Implementation::complete_forces();                                          \
+  template void       Solver<d>::Implementation::fold_total();                                               \
+  template void       Solver<d>::Implementation::show();                                                     \
+  template void       Solver<d>::Implementation::complete_motion();                                          \
+  template void       Solver<d>::refresh_all();                                                              \
+  template StepLimit  Solver<d>::Implementation::agree(const StepLimit &) const;                             \
+  template StepStatus Solver<d>::Implementation::conclude(const StepStatus &);                               \
+  template void       Solver<d>::Implementation::count_the_living();                                         \
   template Balance    Solver<d>::Implementation::sum(const Balance &) const;
 OGIVE_INSTANTIATE(1)
 OGIVE_INSTANTIATE(2)

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/base/error.h"
 #include "fem/element_partition.h"
 #include "fem/solver_implementation.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 /// Whose each element is, and how elements change hands.
 namespace ogive::fem
@@ -86,7 +86,7 @@ std::vector<int> Solver<dim>::Implementation::partition() const
     const std::size_t n = body.mesh.n_elements(), each = n > 0 ? list.size() / n : 0;
     for (std::size_t e = 0; e < n; ++e)
     {
-      std::array<double, dim>                         centre{};
+      std::array<double, dim>                              centre{};
       std::array<unsigned int, ElementCloud<dim>::corners> corners{};
       for (int a = 0; a < ElementCloud<dim>::corners; ++a)
       {
@@ -106,6 +106,9 @@ std::vector<int> Solver<dim>::Implementation::partition() const
 template <int dim>
 void Solver<dim>::Implementation::share_out()
 {
+  if (parameters.options.local_steps != "none")
+    throw InputError({"", 0, "FEM/local steps"}, "elements that step by classes cannot be shared among ranks",
+                     "FEM/local steps = none", "or one rank");
   for (auto &component : total)
     component.assign(nodes.size(), 0.);
   distribution.assign(partition(), constraints, nodes);
@@ -198,12 +201,12 @@ bool Solver<dim>::keeps(std::uint32_t node) const
   return self_->nodes.keeps(node);
 }
 
-#define OGIVE_INSTANTIATE(d)                                                              \
-  template std::vector<int> Solver<d>::Implementation::partition() const;                 \
-  template void             Solver<d>::Implementation::share_out();                       \
-  template void             Solver<d>::Implementation::rebuild_groups(std::span<const int>); \
-  template void             Solver<d>::Implementation::look_at_shares();                  \
-  template bool             Solver<d>::keeps(std::uint32_t) const;                        \
+#define OGIVE_INSTANTIATE(d)                                                                                 \
+  template std::vector<int> Solver<d>::Implementation::partition() const;                                    \
+  template void             Solver<d>::Implementation::share_out();                                          \
+  template void             Solver<d>::Implementation::rebuild_groups(std::span<const int>);                 \
+  template void             Solver<d>::Implementation::look_at_shares();                                     \
+  template bool             Solver<d>::keeps(std::uint32_t) const;                                           \
   template auto             Solver<d>::share() const->Share;
 OGIVE_INSTANTIATE(1)
 OGIVE_INSTANTIATE(2)

@@ -416,7 +416,6 @@ void Solver<dim>::set_seam_hourglass(int body, double coefficient)
 {
   const double z = self_->parameters.options.hourglass;
   self_->body_of(body).seam_hourglass = z > 0 ? std::max(1., coefficient / z) : 1.;
-  self_->joint = self_->joint && self_->body_of(body).seam_hourglass == 1; // joint forces know one sound speed
 }
 
 template <int dim>

@@ -82,6 +82,9 @@ template <int dim>
 void Solver<dim>::Implementation::rebuild_lists()
 {
   const std::size_t n = store.size();
+  // Joint forces know no shares and one sound speed a particle.
+  joint = joint_possible() && energy_share.empty() &&
+          std::all_of(bodies.begin(), bodies.end(), [](const Body &b) { return b.seam_hourglass == 1; });
   ghosts.clear();
   find_near_walls();
   const bool listed_riders = !images.empty() && images.back().bits == 0;
@@ -281,6 +284,7 @@ template <int dim>
 void Solver<dim>::Implementation::reflect_forces()
 {
   exchange(force_records, L::force_stride, L::n_motion, L::force_stride);
+  exchange(record_damage, 1, 0, 1);
   for (std::size_t g = 0; g < ghosts.size(); ++g)
   {
     const double *from = &force_records[ghosts.parent[g] * L::force_stride];

@@ -215,7 +215,7 @@ void halve(NeighbourRows &rows, std::size_t n)
   for (std::size_t i = 0; i < n; ++i)
   {
     before.clear();
-    std::uint32_t *to = &rows.index[rows.row[i]];
+    std::uint32_t *to = rows.index.data() + rows.row[i];
     for (std::size_t k = rows.row[i]; k < rows.row[i + 1]; ++k)
       if (rows.index[k] > i)
         *to++ = rows.index[k];

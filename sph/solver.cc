@@ -422,9 +422,7 @@ void Solver<dim>::weigh(std::span<const std::int64_t> ids, std::span<const doubl
     require(shares[k] > 0 && shares[k] <= 1, "a share lies above 0 and not above 1");
     s.energy_share[static_cast<std::size_t>(ids[k])] = shares[k];
   }
-  const bool joint = s.joint;
-  s.joint          = false; // joint forces know no shares
-  s.follow(joint);
+  s.follow(s.joint); // which ends with fresh lists, see rebuild_lists
 }
 
 template <int dim>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What changes on several ranks: elements that die, turn into particles or change hands, steps
 // in parts, checkpoints. Against one rank to 1e-9, as in ranks_test.cc.
+#include "core/base/error.h"
 #include "core/io/memory_archive.h"
 #include "tests/unit/fem/twins.h"
 
@@ -24,7 +25,7 @@ BodyMesh<dim> drawn(bool axisymmetric, bool dies = true)
   input::Body  body   = box({corner, H, -H}, {corner + 3 * H, 8 * H, 2 * H}, H);
   body.erosion.on     = dies;
   body.erosion.strain = dim == 1 ? .01 : .04;
-  auto mesh = make_mesh<dim>(body, scene, 0, make(copper_linear_hardening()));
+  auto mesh           = make_mesh<dim>(body, scene, 0, make(copper_linear_hardening()));
   shake(mesh, 0, 3);
   const int up = dim > 1 ? 1 : 0;
   for (std::size_t a = 0; a < mesh.n_nodes(); ++a)
@@ -129,7 +130,7 @@ TEST(RankedChanges, ElementsTurnIntoParticles)
     twins.together->copy_pressing_state(beside[k], s, k);
     EXPECT_EQ(s.sigma[1][k], t.sigma[1][k]);
   }
-  Solver<3>::Embedding p, q;
+  Solver<3>::Embedding  p, q;
   std::array<double, 3> inside{};
   for (int i = 0; i < 3; ++i)
     for (const std::uint32_t a : twins.alone->look(0).node)
@@ -180,7 +181,8 @@ TEST(RankedChanges, StepsInParts)
       ASSERT_TRUE(solver->finish(whole).ok);
     }
   twins.expect_equal();
-  EXPECT_NEAR(twins.alone->parts_error(), twins.together->parts_error(), 1e-9 * twins.alone->balance().kinetic);
+  EXPECT_NEAR(twins.alone->parts_error(), twins.together->parts_error(),
+              1e-9 * twins.alone->balance().kinetic);
 }
 
 /// Two blocks fly through each other: boxes that were even at the start are not.
@@ -189,8 +191,8 @@ std::vector<BodyMesh<2>> passing(bool dies)
   std::vector<BodyMesh<2>> meshes;
   for (int b = 0; b < 2; ++b)
   {
-    meshes.push_back(block<2>({b * 12 * H, b * .5 * H, 0}, {b * 12 * H + 6 * H, b * .5 * H + 4 * H, 0}, H, false, b,
-                              copper_linear_hardening()));
+    meshes.push_back(block<2>({b * 12 * H, b * .5 * H, 0}, {b * 12 * H + 6 * H, b * .5 * H + 4 * H, 0}, H,
+                              false, b, copper_linear_hardening()));
     shake(meshes[b], .1 * H, 30);
     for (double &v : meshes[b].v[0])
       v += b == 0 ? 600 : -600;
@@ -246,7 +248,8 @@ std::vector<double> state_of(Solver<dim> &solver)
     all.insert(all.end(), s.v[i].begin(), s.v[i].end());
   }
   const Balance b = solver.balance();
-  all.insert(all.end(), {b.kinetic, b.elastic, b.plastic_work, b.bulk_viscosity_heat, b.hourglass_fem, b.eroded_energy});
+  all.insert(all.end(),
+             {b.kinetic, b.elastic, b.plastic_work, b.bulk_viscosity_heat, b.hourglass_fem, b.eroded_energy});
   return all;
 }
 
@@ -288,7 +291,8 @@ TEST(RankedChanges, Checkpoints)
   io::MemoryArchive by_one, by_all;
   twins.alone->save(by_one, "fem");
   twins.together->save(by_all, "fem");
-  const auto go_on = [&](const ArchiveReader &archive, bool on_ranks) {
+  const auto go_on = [&](const ArchiveReader &archive, bool on_ranks)
+  {
     Parameters p = restless();
     if (on_ranks)
       p.ranks = twins.ranks;
@@ -315,6 +319,17 @@ TEST(RankedChanges, Checkpoints)
     ASSERT_EQ(other.size(), alone.size());
     for (std::size_t k = 0; k < alone.size(); ++k)
       ASSERT_NEAR(other[k], alone[k], 1e-9 * scale);
+  }
+}
+
+TEST(RankedChanges, ClassesOfStepsAreRefused)
+{
+  Parameters p;
+  p.ranks               = Ranks::world();
+  p.options.local_steps = "4";
+  if (!p.ranks.alone())
+  {
+    EXPECT_THROW(solver_with<2>(block<2>({0, 0, 0}, {4 * H, 3 * H, 0}, H), p), InputError);
   }
 }
 

@@ -24,7 +24,10 @@ BodyMesh<dim> from_file(const std::string &name, input::Dimension dimension)
 }
 
 /// Cubes that a cubic share of n of them has on its surface: the least that a share must tell of.
-double bound(double n, int dim) { return 2 * dim * std::pow(n, (dim - 1.) / dim); }
+double bound(double n, int dim)
+{
+  return 2 * dim * std::pow(n, (dim - 1.) / dim);
+}
 
 template <int dim>
 void share(const char *name, const BodyMesh<dim> &mesh, const std::string &how)
@@ -32,7 +35,7 @@ void share(const char *name, const BodyMesh<dim> &mesh, const std::string &how)
   Parameters p;
   p.ranks              = Ranks::world();
   p.parallel.partition = how;
-  auto solver          = solver_with<dim>(mesh, p);
+  auto         solver  = solver_with<dim>(mesh, p);
   const Ranks &ranks   = p.ranks;
   for (int k = 0; k < 2; ++k) // what starts costs more
     ASSERT_TRUE(solver->step({k * 1e-9, k == 0 ? .5e-9 : 1e-9, 1e-9}).ok);
@@ -45,17 +48,19 @@ void share(const char *name, const BodyMesh<dim> &mesh, const std::string &how)
   const auto   s    = solver->share();
   const double n    = static_cast<double>(solver->size()) / ranks.size();
   const double most = ranks.max(s.work), mean = ranks.sum(s.work) / ranks.size();
-  const double shared = ranks.max(double(s.shared)), bytes = ranks.max(double(after.bytes - before.bytes)) / steps;
+  const double shared   = ranks.max(double(s.shared)),
+               bytes    = ranks.max(double(after.bytes - before.bytes)) / steps;
   const double messages = ranks.max(double(after.messages - before.messages)) / steps;
   EXPECT_EQ(ranks.sum(static_cast<std::int64_t>(s.elements)), static_cast<std::int64_t>(solver->size()));
   // Of one kind of elements none can be divided: one more than the mean, and 2 % of cuts that
   // meet several at once.
   EXPECT_LE(most, mean * 1.02 + 1 + (dim == 1 ? 0. : std::pow(n, (dim - 1.) / dim)));
   if (ranks.first())
-    std::printf("%-16s %-6s ranks %d elements %6zu most/mean %.3f shared nodes %5.0f bound %5.0f neighbours %zu "
-                "messages %4.1f bytes %8.0f a step\n",
-                name, how.c_str(), ranks.size(), solver->size(), most / mean, shared, bound(n, dim), s.neighbours,
-                messages, bytes);
+    std::printf(
+        "%-16s %-6s ranks %d elements %6zu most/mean %.3f shared nodes %5.0f bound %5.0f neighbours %zu "
+        "messages %4.1f bytes %8.0f a step\n",
+        name, how.c_str(), ranks.size(), solver->size(), most / mean, shared, bound(n, dim), s.neighbours,
+        messages, bytes);
 }
 
 TEST(RankedShares, EvenAndSmall)

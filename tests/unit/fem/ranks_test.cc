@@ -144,9 +144,9 @@ void expect_tied(bool axisymmetric)
   for (auto &mesh : meshes)
     shake(mesh, 0, 5);
   Parameters p;
-  p.ties                       = {{"seam", 1, 0, .1}};
-  p.boundaries                 = {boundary("y-", input::BoundaryKind::pressure)};
-  p.boundaries[0].pressure     = 50e6;
+  p.ties                   = {{"seam", 1, 0, .1}};
+  p.boundaries             = {boundary("y-", input::BoundaryKind::pressure)};
+  p.boundaries[0].pressure = 50e6;
   p.boundaries.push_back(boundary("", input::BoundaryKind::body_force));
   p.boundaries[1].acceleration = {0, -1e5, 0};
   Twins<dim> twins(meshes, p);
@@ -172,16 +172,16 @@ TEST(Ranked, WallsAndDrivenFaces)
   }
   Parameters       p;
   input::RigidWall floor;
-  floor.name     = "floor";
-  floor.normal   = {.1, 1, 0};
-  floor.friction = .2;
-  input::RigidWall side = floor;
-  side.name             = "side";
-  side.normal           = {-1, 0, 0};
-  side.point            = {5.2 * H, 0, 0};
-  side.velocity         = {-5, 0, 0};
-  p.walls               = {floor, side};
-  p.boundaries          = {boundary("z-", input::BoundaryKind::velocity)};
+  floor.name               = "floor";
+  floor.normal             = {.1, 1, 0};
+  floor.friction           = .2;
+  input::RigidWall side    = floor;
+  side.name                = "side";
+  side.normal              = {-1, 0, 0};
+  side.point               = {5.2 * H, 0, 0};
+  side.velocity            = {-5, 0, 0};
+  p.walls                  = {floor, side};
+  p.boundaries             = {boundary("z-", input::BoundaryKind::velocity)};
   p.boundaries[0].velocity = {0, 0, 3};
   p.boundaries[0].fix[0] = p.boundaries[0].fix[1] = false;
   Twins<3> twins({mesh}, p);
@@ -189,7 +189,8 @@ TEST(Ranked, WallsAndDrivenFaces)
   {
     twins.step();
     for (std::size_t w = 0; w < 2; ++w)
-      ASSERT_NEAR(twins.alone->wall_force(w), twins.together->wall_force(w), 1e-6 * 60 * twins.alone->balance().mass / 1e-6);
+      ASSERT_NEAR(twins.alone->wall_force(w), twins.together->wall_force(w),
+                  1e-6 * 60 * twins.alone->balance().mass / 1e-6);
   }
   twins.expect_equal();
   EXPECT_GT(twins.alone->balance().friction_heat, 0);
@@ -202,7 +203,8 @@ TEST(Ranked, AbsorbingFaces)
     auto mesh = block<2>({0, 0, 0}, {8 * H, 6 * H, 0}, H, axisymmetric);
     shake(mesh, .1 * H, 5);
     Parameters p;
-    p.boundaries = {boundary("x+", input::BoundaryKind::absorbing), boundary("y-", input::BoundaryKind::absorbing)};
+    p.boundaries = {boundary("x+", input::BoundaryKind::absorbing),
+                    boundary("y-", input::BoundaryKind::absorbing)};
     expect_twins<2>(mesh, p);
   }
 }
@@ -227,10 +229,10 @@ TEST(Ranked, PlateWithAHole)
   input::Scene scene;
   scene.dimension = input::Dimension::plane_strain;
   input::Body body;
-  body.name           = "plate";
+  body.name            = "plate";
   body.shape.mesh_file = std::string(OGIVE_SOURCE_DIR) + "/meshes/plate-41.msh";
-  body.shape.kind     = input::ShapeKind::mesh;
-  auto mesh           = make_mesh<2>(body, scene, 0, make(copper_linear_hardening()));
+  body.shape.kind      = input::ShapeKind::mesh;
+  auto mesh            = make_mesh<2>(body, scene, 0, make(copper_linear_hardening()));
   for (std::size_t a = 0; a < mesh.n_nodes(); ++a)
     mesh.v[0][a] = 20 * std::sin(200 * mesh.x[1][a]);
   expect_twins<2>(mesh);

@@ -34,13 +34,15 @@ struct Twins
   void step(double fixed_dt = 0)
   {
     const StepLimit limit = alone->stable_dt(), same = together->stable_dt();
-    ASSERT_NEAR(same.dt / limit.dt, 1, 1e-9) << limit.culprit.id << " or " << same.culprit.id << " at " << time <<
-      ' ' << alone->balance().eroded_elements << ' ' << together->balance().eroded_elements;
+    ASSERT_NEAR(same.dt / limit.dt, 1, 1e-9)
+        << limit.culprit.id << " or " << same.culprit.id << " at " << time << ' '
+        << alone->balance().eroded_elements << ' ' << together->balance().eroded_elements;
     const double dt = fixed_dt > 0 ? fixed_dt : limit.dt;
     for (auto *solver : {alone.get(), together.get()})
     {
       const StepStatus status = solver->step({time, .5 * (last + dt), dt});
-      ASSERT_TRUE(status.ok) << status.culprit.entity << ' ' << status.culprit.id << ' ' << status.culprit.why;
+      ASSERT_TRUE(status.ok) << status.culprit.entity << ' ' << status.culprit.id << ' '
+                             << status.culprit.why;
     }
     time += dt;
     last = dt;
@@ -55,7 +57,7 @@ struct Twins
   /// nodes does not change as the owners tell all.
   void expect_same_bits()
   {
-    const auto s = together->surface();
+    const auto                               s = together->surface();
     std::array<std::vector<double>, 2 * dim> own;
     for (int i = 0; i < dim; ++i)
     {
@@ -102,11 +104,13 @@ struct Twins
   void expect_equal_books(double tolerance) const
   {
     const Balance a = alone->balance(), b = together->balance();
-    const double  energy = a.kinetic + a.internal() + a.absorbed + std::abs(a.external_work), push = a.mass * speed;
+    const double  energy = a.kinetic + a.internal() + a.absorbed + std::abs(a.external_work),
+                 push    = a.mass * speed;
     EXPECT_NEAR(a.mass, b.mass, 1e-13 * a.mass);
-    for (const auto field : {&Balance::kinetic, &Balance::elastic, &Balance::plastic_work, &Balance::bulk_viscosity_heat,
-                             &Balance::hourglass_fem, &Balance::external_work, &Balance::wall_loss,
-                             &Balance::friction_heat, &Balance::absorbed, &Balance::eroded_energy})
+    for (const auto field :
+         {&Balance::kinetic, &Balance::elastic, &Balance::plastic_work, &Balance::bulk_viscosity_heat,
+          &Balance::hourglass_fem, &Balance::external_work, &Balance::wall_loss, &Balance::friction_heat,
+          &Balance::absorbed, &Balance::eroded_energy})
       EXPECT_NEAR(a.*field, b.*field, tolerance * energy);
     EXPECT_LE((a.momentum - b.momentum).norm(), tolerance * push);
     EXPECT_LE((a.external_impulse - b.external_impulse).norm(), tolerance * push);
