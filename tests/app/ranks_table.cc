@@ -165,7 +165,7 @@ void balance(const std::vector<int> &ranks)
   for (const int n : ranks)
   {
     const Scratch scratch;
-    const Outcome run = run_on(n, "plate-weldox-blunt/scene.prm", {"end time=6 us"}, scratch.path("r"));
+    const Outcome run = run_on(n, "plate-weldox-blunt/scene.prm", {"end time=6 us", "Parallel/interval=20"}, scratch.path("r"));
     if (run.status != 0)
     {
       std::printf("| %d | failed: %s\n", n, run.err.c_str());
