@@ -39,7 +39,7 @@ BenchResult bench(int edge, int steps, std::shared_ptr<const materials::Material
     }
   };
   run(5);
-  const auto rebuilds = solver.diagnostics().rebuilds;
+  const auto before   = solver.diagnostics();
   const auto start    = std::clock();
   run(steps);
   const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
@@ -47,7 +47,10 @@ BenchResult bench(int edge, int steps, std::shared_ptr<const materials::Material
   BenchResult r;
   r.particle_steps_per_s = solver.size() * static_cast<double>(steps) / seconds;
   r.neighbours           = solver.diagnostics().pairs / static_cast<double>(solver.size());
-  const auto built       = solver.diagnostics().rebuilds - rebuilds;
+  const auto after       = solver.diagnostics();
+  const auto built       = after.rebuilds - before.rebuilds;
+  r.rebuild_share        = (after.rebuild_s - before.rebuild_s) / seconds;
+  r.bytes_per_particle   = static_cast<double>(after.bytes) / static_cast<double>(solver.size());
   r.rebuild_interval     = built > 0 ? static_cast<double>(steps) / built : steps;
   return r;
 }

@@ -17,6 +17,8 @@ struct BenchResult
   double particle_steps_per_s = 0;
   double neighbours           = 0; ///< directed pairs a particle in the lists, skin and surface included
   double rebuild_interval     = 0; ///< steps between rebuilds of the lists
+  double rebuild_share        = 0; ///< of the processor time
+  double bytes_per_particle   = 0; ///< held, lists included
 };
 
 /// A free cube of edge^3 particles, cubic kernel, h = 1.3 spacings, pairwise

@@ -8,10 +8,8 @@
 #include "sph/energy.h"
 #include "sph/force.h"
 #include "sph/gradient.h"
-#include "sph/half/correction.h"
 #include "sph/half/energy.h"
 #include "sph/half/forces.h"
-#include "sph/half/gradient.h"
 #include "sph/reference/layout.h"
 #include "sph/viscosity/viscosities.h"
 #include "sph/viscosity/viscous_sweep.h"
@@ -89,9 +87,7 @@ void choose_joint(const SweepChoice &c, SweepFunctions &f)
       c.damage ? choose_joint_forces<dim, Kernel, true, true>(f) : choose_joint_forces<dim, Kernel, true, false>(f);
     else
       c.damage ? choose_joint_forces<dim, Kernel, false, true>(f) : choose_joint_forces<dim, Kernel, false, false>(f);
-    f.half_gradient   = &half_gradient_sweep<dim, Kernel>;
-    f.half_correction = &half_correction_sweep<dim, Kernel>;
-    f.half_energy     = &half_energy_sweep<dim, Kernel>;
+    f.half_energy = &half_energy_sweep<dim, Kernel>;
   }
 }
 

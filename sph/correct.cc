@@ -18,8 +18,8 @@ void Solver<dim>::Implementation::correct()
   for (std::size_t i = 0; keep && i < store.size(); ++i)
     for (int a = 0; a < dim; ++a)
       corrected[i * dim + a] = -force_sums[i * L::forces_stride + L::f_sum + a];
-  for (const auto &b : bodies)
-    (joint ? b.sweeps.half_correction : b.sweeps.correction)(sweep_of(b, pairs, force_sums.data()));
+  const auto awake = rest.on ? blocks_with(correction_records, L::correction_stride, L::da) : std::vector<char>();
+  sweep_awake(&SweepFunctions::correction, force_sums, &awake);
   sweep_images(&SweepFunctions::correction, &Images::forces);
   for (std::size_t i = 0; keep && i < store.size(); ++i)
     for (int a = 0; a < dim; ++a)

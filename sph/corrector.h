@@ -3,8 +3,6 @@
 
 #include <Eigen/Dense>
 
-#include <cmath>
-
 namespace ogive::sph
 {
 /// M^-1, or the unit matrix where M is close to singular: too few neighbours,
@@ -16,7 +14,10 @@ bool corrector(const Eigen::Matrix<double, dim, dim> &m, Eigen::Matrix<double, d
   constexpr double largest = 10;
   const double     det     = m.determinant();
   const double     scale   = m.trace() / dim;
-  if (det > 1e-4 * std::pow(scale, dim) && scale > .05)
+  double           cube    = 1;
+  for (int d = 0; d < dim; ++d)
+    cube *= scale;
+  if (det > 1e-4 * cube && scale > .05)
   {
     b = m.inverse();
     b = (.5 * (b + b.transpose())).eval();

@@ -21,7 +21,7 @@ template <int dim, class Kernel, bool standard, bool damage>
 [[gnu::flatten]] void force_sweep(const Sweep &s)
 {
   using L                = Layout<dim>;
-  constexpr int n_fields = damage ? L::n_force : L::n_force - 1;
+  constexpr int n_fields = L::n_force;
   const KernelAt<Kernel, dim> kernel(s.h);
   const double                z = .25 * s.hourglass * s.h; // means of rho and c: 1/4
   for (std::size_t i = s.begin; i < s.end; ++i)
@@ -68,7 +68,7 @@ template <int dim, class Kernel, bool standard, bool damage>
       const VDouble delta = vx - .5 * stretch;
       VDouble       rate  = (z * (vol2 * g)) * (c2 * rho2) * (inv_r * inv_r);
       if constexpr (damage)
-        rate *= (1. - own[L::damage]) * (1. - j[L::damage]);
+        rate *= (1. - s.damage[i]) * (1. - load_numbers(s.damage, s.index + p));
       VDouble hourglass = rate * delta;
       hourglass         = select(hourglass * vx > 0., VDouble(0.), hourglass);
       hourglass.copy_to(s.pair_hourglass + p, stdx::vector_aligned);

@@ -274,12 +274,12 @@ void Solver<dim>::Implementation::sweep_images(void (*SweepFunctions::*sweep)(co
 
 template <int dim>
 void Solver<dim>::Implementation::sweep_all(Function f, AlignedVector<double> &sums, std::size_t stride,
-                                            std::size_t n_fields, Function half)
+                                            std::size_t n_fields, Function half, const std::vector<char> *awake)
 {
-  if (joint && half != nullptr)
+  const bool halves = joint && half != nullptr;
+  if (halves)
     std::fill(sums.begin(), sums.end(), 0.);
-  for (const auto &b : bodies)
-    (b.sweeps.*(joint && half != nullptr ? half : f))(sweep_of(b, pairs, sums.data()));
+  sweep_awake(halves ? half : f, sums, awake);
   sweep_images(f, &Images::sums);
   add_images(&Images::sums, stride, 0, n_fields, sums);
 }
@@ -287,9 +287,9 @@ void Solver<dim>::Implementation::sweep_all(Function f, AlignedVector<double> &s
 /// Gradients and the like: riders have them too.
 template <int dim>
 void Solver<dim>::Implementation::sweep_riders_too(Function f, AlignedVector<double> &sums, std::size_t stride,
-                                                   std::size_t n_fields, Function half)
+                                                   std::size_t n_fields, const std::vector<char> *awake)
 {
-  sweep_all(f, sums, stride, n_fields, half);
+  sweep_all(f, sums, stride, n_fields, nullptr, awake);
   for_each_rider_range([&](const Body &b, std::size_t, std::size_t) { (b.sweeps.*f)(rider_sweep_of(b, sums.data())); });
 }
 
@@ -356,9 +356,9 @@ void Solver<dim>::Implementation::book_images(double kick)
   template void   Solver<d>::Implementation::sweep_images(void (*SweepFunctions::*)(const Sweep &),          \
                                                           AlignedVector<double> Images::*);                  \
   template void   Solver<d>::Implementation::sweep_all(Function, AlignedVector<double> &, std::size_t,       \
-                                                       std::size_t, Function);                               \
+                                                       std::size_t, Function, const std::vector<char> *);    \
   template void   Solver<d>::Implementation::sweep_riders_too(Function, AlignedVector<double> &, std::size_t, \
-                                                              std::size_t, Function);                        \
+                                                              std::size_t, const std::vector<char> *);       \
   template void   Solver<d>::Implementation::add_all(Function, AlignedVector<double> &, std::size_t,         \
                                                      std::size_t);                                           \
   template void   Solver<d>::Implementation::add_images(const AlignedVector<double> Images::*, std::size_t,  \

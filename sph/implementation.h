@@ -49,7 +49,20 @@ struct ReferenceState
   std::size_t           fallbacks = 0;  ///< particles with B0 = I
 };
 
-/// Inside the solver. solver.cc: the public face; phases.cc: the phases of a
+/// Blocks of particles and what they see, see rest.cc.
+struct Rest
+{
+  static constexpr std::size_t block = 64; ///< particles
+
+  bool                       on = false;
+  std::vector<std::size_t>   row{0}; ///< block k sees the blocks sees[row[k] .. row[k+1])
+  std::vector<std::uint32_t> sees;
+  std::vector<char>          bound;   ///< has pairs with images of walls or riders: swept always
+  std::vector<char>          has_guests; ///< has pairs with particles of other ranks: the same
+  std::vector<char>          changed; ///< since the last gradient sweep
+};
+
+/// Inside the solver. rest.cc: sweeps left out; solver.cc: the public face; phases.cc: the phases of a
 /// step; viscous.cc, correct.cc, support.cc: forces, the correction and its
 /// support; motion.cc: kick, boundaries, drift; lists.cc: rebuild and records;
 /// images.cc: images behind rigid walls; surface.cc: what contact sees;
@@ -115,6 +128,8 @@ struct Solver<dim>::Implementation
   std::size_t    cut_at = 0; ///< particles of all ranks when it was cut
   std::uint64_t  steps  = 0;
 
+  Rest           rest;
+
   // Follow from the store.
   Halo                                    halo;
   std::vector<std::int64_t>               guest_id; ///< by ghost; of images 0
@@ -129,7 +144,7 @@ struct Solver<dim>::Implementation
   std::vector<double>        friction_share; ///< see share_friction(), of each wall
   std::vector<double>        press;     ///< velocity that wall w's images gave particle i in the kick
   AlignedVector<double>      force_records, viscous_records, sensor_records, stress_records, correction_records,
-    energy_records;
+    energy_records, record_damage;
   AlignedVector<double> gradient_sums, mass_sums, sensor_sums, force_sums, viscous_sums, mean_sums, power_sums;
   AlignedVector<double> unasked = AlignedVector<double>(simd_width); ///< see Sweep::viscosity_step
   AlignedVector<double> velocity_gradient; ///< column by column, corrected where the form is, 1/s
@@ -240,7 +255,17 @@ struct Solver<dim>::Implementation
   std::vector<double> drift_of_bodies() const;
   double most_moved(std::size_t first, std::size_t last, const PerAxis<double> &drifted, const PerAxis<double> &apart) const;
 
+  // rest.cc
+  void              find_blocks(); ///< on fresh lists
+  std::vector<char> who_sees(const std::vector<char> &blocks) const;
+  /// Blocks that see a vector other than zero in field `first` of the records.
+  std::vector<char> blocks_with(const AlignedVector<double> &records, std::size_t stride, std::size_t first) const;
+  void              note_motion(std::size_t i, const double *fresh); ///< the first fields of its force record
+  /// A sweep over the pairs of all bodies, but for blocks that are not awake.
+  void sweep_awake(Function, AlignedVector<double> &sums, const std::vector<char> *awake);
+
   // lists.cc
+  std::size_t bytes() const;
   void sort_particles();
   void rebuild_lists(); ///< from store.x_listed
   void size_pairs(Pairs &) const;
@@ -285,8 +310,10 @@ struct Solver<dim>::Implementation
 
   /// A sweep over all bodies, images behind walls included, into or onto `sums`.
   /// `half`: what takes its place where each pair is seen once.
-  void sweep_all(Function, AlignedVector<double> &sums, std::size_t stride, std::size_t n_fields, Function half = nullptr);
-  void sweep_riders_too(Function, AlignedVector<double> &sums, std::size_t stride, std::size_t n_fields, Function half = nullptr);
+  void sweep_all(Function, AlignedVector<double> &sums, std::size_t stride, std::size_t n_fields, Function half = nullptr,
+                 const std::vector<char> *awake = nullptr);
+  void sweep_riders_too(Function, AlignedVector<double> &sums, std::size_t stride, std::size_t n_fields,
+                        const std::vector<char> *awake = nullptr);
   void add_all(Function, AlignedVector<double> &sums, std::size_t stride, std::size_t n_fields);
   bool is_used(Function f) const { return bodies.front().sweeps.*f != nullptr; }
   /// Records of the images from those of their parents: `vectors` fields first,

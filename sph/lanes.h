@@ -40,6 +40,7 @@ inline void transpose(Register *r)
 {
   if constexpr (s > 0)
   {
+#pragma GCC unroll 32
     for (int k = 0; k < simd_width; ++k)
       if ((k & s) == 0)
       {
@@ -56,6 +57,7 @@ inline void sum_halves(Register *r)
 {
   if constexpr (s > 0)
   {
+#pragma GCC unroll 32
     for (int k = 0; k < s; ++k)
       r[k] = lower<s>(r[k], r[k + s], Lanes{}) + upper<s>(r[k], r[k + s], Lanes{});
     sum_halves<s / 2>(r);
@@ -69,15 +71,24 @@ inline void sum_halves(Register *r)
 template <int n_fields>
 inline void load_records(const double *base, std::size_t stride, const std::uint32_t *j, VDouble *out)
 {
+#pragma GCC unroll 32
   for (int f = 0; f < n_fields; f += simd_width)
   {
     detail::Register r[simd_width];
+#pragma GCC unroll 32
     for (int k = 0; k < simd_width; ++k)
       std::memcpy(&r[k], base + j[k] * stride + f, sizeof(detail::Register));
     detail::transpose<simd_width / 2>(r);
+#pragma GCC unroll 32
     for (int k = 0; k < simd_width; ++k)
       out[f + k] = std::bit_cast<VDouble>(r[k]);
   }
+}
+
+/// out[lane] = base[j[lane]].
+inline VDouble load_numbers(const double *base, const std::uint32_t *j)
+{
+  return VDouble([&](auto k) { return base[j[k]]; });
 }
 
 /// out[f] = sum over the lanes of sums[f], f in [0, n_fields); both hold
@@ -85,9 +96,11 @@ inline void load_records(const double *base, std::size_t stride, const std::uint
 template <int n_fields>
 inline void store_sums(const VDouble *sums, double *out)
 {
+#pragma GCC unroll 32
   for (int f = 0; f < n_fields; f += simd_width)
   {
     detail::Register r[simd_width];
+#pragma GCC unroll 32
     for (int k = 0; k < simd_width; ++k)
       r[k] = std::bit_cast<detail::Register>(sums[f + k]);
     detail::sum_halves<simd_width / 2>(r);
@@ -95,51 +108,66 @@ inline void store_sums(const VDouble *sums, double *out)
   }
 }
 
-/// to[j[lane] * stride + f] += sums[f][lane], f in [0, n_fields), lane after lane, so that a
-/// record that several lanes name gets all of them. `sums` holds padded(n_fields)
-/// entries, all set; those from n_fields on are zeros.
+namespace detail
+{
+/// Adds one line a lane to the records j[0 .. simd_width): all are read before any is
+/// written, or the machine, warned by the filling of rows, would wait for each
+/// store before the next load. Lanes that name one record: the last one's sum stays.
+template <class Line, class LineOf>
+inline void add_lines(double *to, std::size_t stride, const std::uint32_t *j, LineOf &&line_of)
+{
+  double *at[simd_width];
+  Line    line[simd_width];
+#pragma GCC unroll 32
+  for (int k = 0; k < simd_width; ++k)
+  {
+    at[k] = to + j[k] * stride;
+    std::memcpy(&line[k], at[k], sizeof(Line));
+  }
+#pragma GCC unroll 32
+  for (int k = 0; k < simd_width; ++k)
+    line[k] += line_of(k);
+#pragma GCC unroll 32
+  for (int k = 0; k < simd_width; ++k)
+    std::memcpy(at[k], &line[k], sizeof(Line));
+}
+
+/// Four fields of eight lanes: half a line each.
+inline void add_half_lines(const Register *r, double *to, std::size_t stride, const std::uint32_t *j)
+{
+  if constexpr (simd_width == 8)
+  {
+    typedef double Half __attribute__((vector_size(4 * sizeof(double))));
+    const Register a[4] = {lower<1>(r[0], r[1], Lanes{}), upper<1>(r[0], r[1], Lanes{}),
+                           lower<1>(r[2], r[3], Lanes{}), upper<1>(r[2], r[3], Lanes{})};
+    const Register b[4] = {lower<2>(a[0], a[2], Lanes{}), lower<2>(a[1], a[3], Lanes{}),
+                           upper<2>(a[0], a[2], Lanes{}), upper<2>(a[1], a[3], Lanes{})};
+    add_lines<Half>(to, stride, j, [&](int k) -> Half {
+      return k < 4 ? __builtin_shufflevector(b[k], b[k], 0, 1, 2, 3) : __builtin_shufflevector(b[k - 4], b[k - 4], 4, 5, 6, 7);
+    });
+  }
+}
+} // namespace detail
+
+/// to[j[lane] * stride + f] += sums[f][lane], f in [0, n_fields), for lanes that name
+/// different records; of those that do not, one is added. `sums` holds
+/// padded(n_fields) entries, zeros from n_fields on.
 template <int n_fields>
 inline void add_records(const VDouble *sums, double *to, std::size_t stride, const std::uint32_t *j)
 {
+#pragma GCC unroll 32
   for (int f = 0; f < n_fields; f += simd_width)
   {
     detail::Register r[simd_width];
+#pragma GCC unroll 32
     for (int k = 0; k < simd_width; ++k)
       r[k] = std::bit_cast<detail::Register>(sums[f + k]);
-    if constexpr (simd_width == 8)
-      if (n_fields - f <= 4)
-      {
-        // Half a line: the lower halves of the registers are lanes 0 to 3, the upper 4 to 7.
-        typedef double Half __attribute__((vector_size(4 * sizeof(double))));
-        const auto     turn = [](detail::Register a, detail::Register b, auto s, auto pick) {
-          constexpr int step = decltype(s)::value;
-          return pick ? detail::upper<step>(a, b, detail::Lanes{}) : detail::lower<step>(a, b, detail::Lanes{});
-        };
-        using One = std::integral_constant<int, 1>;
-        using Two = std::integral_constant<int, 2>;
-        const detail::Register a0 = turn(r[0], r[1], One{}, std::false_type{}), a1 = turn(r[0], r[1], One{}, std::true_type{});
-        const detail::Register a2 = turn(r[2], r[3], One{}, std::false_type{}), a3 = turn(r[2], r[3], One{}, std::true_type{});
-        const detail::Register b[4] = {turn(a0, a2, Two{}, std::false_type{}), turn(a1, a3, Two{}, std::false_type{}),
-                                       turn(a0, a2, Two{}, std::true_type{}), turn(a1, a3, Two{}, std::true_type{})};
-        for (int k = 0; k < 8; ++k)
-        {
-          Half        line;
-          const Half *half = reinterpret_cast<const Half *>(&b[k % 4]) + k / 4;
-          double     *at   = to + j[k] * stride + f;
-          std::memcpy(&line, at, sizeof line);
-          line += *half;
-          std::memcpy(at, &line, sizeof line);
-        }
-        continue;
-      }
-    detail::transpose<simd_width / 2>(r);
-    for (int k = 0; k < simd_width; ++k)
+    if (simd_width == 8 && n_fields - f <= 4)
+      detail::add_half_lines(r, to + f, stride, j);
+    else
     {
-      double          *at = to + j[k] * stride + f;
-      detail::Register line;
-      std::memcpy(&line, at, sizeof line);
-      line += r[k];
-      std::memcpy(at, &line, sizeof line);
+      detail::transpose<simd_width / 2>(r);
+      detail::add_lines<detail::Register>(to + f, stride, j, [&](int k) { return r[k]; });
     }
   }
 }
@@ -150,6 +178,7 @@ inline void add_sums(const VDouble *sums, double *out)
 {
   double total[padded(n_fields)];
   store_sums<n_fields>(sums, total);
+#pragma GCC unroll 32
   for (int f = 0; f < static_cast<int>(padded(n_fields)); ++f)
     out[f] += total[f];
 }

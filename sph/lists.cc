@@ -14,11 +14,11 @@ void Solver<dim>::Implementation::sort_particles()
   std::vector<std::uint32_t> order;
   for (const auto &b : bodies)
   {
-    const auto part = morton_order<dim>(x, b.first, b.last, b.list_radius, store.id);
+    const auto part = morton_order<dim>(x, b.first, b.last, b.spacing, store.id);
     order.insert(order.end(), part.begin(), part.end());
   }
   for_each_rider_range([&](const Body &b, std::size_t first, std::size_t last) {
-    const auto part = morton_order<dim>(x, first, last, b.list_radius, store.id);
+    const auto part = morton_order<dim>(x, first, last, b.spacing, store.id);
     order.insert(order.end(), part.begin(), part.end());
   });
   bool sorted = true;
@@ -118,7 +118,7 @@ void Solver<dim>::Implementation::rebuild_lists()
   viscous_sums.resize(joint ? 0 : n * V::sums_stride);
   // Half sweeps write sums of whatever a row names.
   const std::size_t summed = joint ? all + 1 : n;
-  gradient_sums.resize(summed * L::gradient_stride);
+  gradient_sums.resize(n * L::gradient_stride);
   force_sums.resize(summed * L::forces_stride);
   power_sums.resize(summed * L::powers_stride);
   correction_records.assign((all + 1) * (variable ? L::wide_correction_stride : L::correction_stride), 0.);
@@ -126,8 +126,10 @@ void Solver<dim>::Implementation::rebuild_lists()
     sensor_records.assign((all + 1) * SensorLayout<dim>::stride, 0.);
   if (parameters.options.artificial_stress > 0)
     stress_records.assign((all + 1) * StressLayout<dim>::stride, 0.);
+  record_damage.assign(all + 1, 0.);
   energy_records.assign((all + 1) * L::energy_stride, 0.);
   size_pairs(pairs);
+  find_blocks();
   index_of_id.assign(n_all(), Solver::elsewhere);
   for (std::size_t i = 0; i < n_own(); ++i)
     index_of_id[store.id[i]] = static_cast<std::uint32_t>(i);
@@ -145,7 +147,7 @@ void Solver<dim>::Implementation::rebuild_lists()
 template <int dim>
 void Solver<dim>::Implementation::size_pairs(Pairs &p) const
 {
-  const std::size_t n = p.rows.index.size();
+  const std::size_t n = p.rows.half.empty() ? p.rows.index.size() : p.rows.half_at.back();
   p.hourglass.resize(n);
   if (!correction || parameters.options.shock_split != "none")
     p.viscosity.resize(n * viscous_terms);
@@ -242,7 +244,7 @@ void Solver<dim>::Implementation::pack_motion()
   find_active();
   for (std::size_t i = 0; i < store.size(); ++i)
   {
-    double *r = &force_records[i * L::force_stride];
+    double r[L::n_motion];
     for (int a = 0; a < dim; ++a)
     {
       r[L::x + a] = store.x[a][i];
@@ -250,6 +252,7 @@ void Solver<dim>::Implementation::pack_motion()
     }
     r[L::weight]  = weight(i);
     r[L::density] = plane_density(i);
+    note_motion(i, r);
   }
   if (reference.on)
     pack_lattice();
@@ -278,13 +281,15 @@ template <int dim>
 void Solver<dim>::Implementation::reflect_forces()
 {
   exchange(force_records, L::force_stride, L::n_motion, L::force_stride);
+  if (std::any_of(bodies.begin(), bodies.end(), [](const Body &b) { return b.material->parameters().damage.law != "none"; }))
+    exchange(record_damage, 1, 0, 1);
   for (std::size_t g = 0; g < ghosts.size(); ++g)
   {
     const double *from = &force_records[ghosts.parent[g] * L::force_stride];
     double       *to   = &force_records[(store.size() + g) * L::force_stride];
     const auto   &s    = ghosts.sign[g];
     to[L::sound]       = from[L::sound];
-    to[L::damage]      = from[L::damage];
+    record_damage[store.size() + g] = record_damage[ghosts.parent[g]];
     for (int a = 0; a < dim; ++a)
       for (int b = 0; b < dim; ++b)
       {
@@ -313,6 +318,8 @@ Sweep Solver<dim>::Implementation::sweep_of(const Body &b, Pairs &p, double *sum
   s.row                = p.rows.row.data();
   s.index              = p.rows.index.data();
   s.half               = p.rows.half.data();
+  s.half_at            = p.rows.half_at.data();
+  s.damage             = record_damage.data();
   s.force_records      = force_records.data();
   s.correction_records = correction_records.data();
   s.energy_records     = energy_records.data();
@@ -349,9 +356,29 @@ template <int dim>
 Sweep Solver<dim>::Implementation::rider_sweep_of(const Body &b, double *sums)
 {
   Sweep s = sweep_of(b, pairs, sums);
+  if (joint) // nobody asks for the numbers of the riders' pairs
+  {
+    s.pair_hourglass = s.pair_viscosity = unasked.data();
+    s.hourglass_step = s.viscosity_step = 0;
+  }
   s.begin = b.first_rider;
   s.end   = b.last_rider;
   return s;
+}
+
+template <int dim>
+std::size_t Solver<dim>::Implementation::bytes() const
+{
+  std::size_t numbers = 0;
+  const_cast<Store<dim> &>(store).for_each_array([&](const std::string &, const auto &a) { numbers += a.size(); });
+  for (const auto *a :
+       {&force_records, &viscous_records, &sensor_records, &stress_records, &correction_records, &energy_records,
+        &record_damage, &gradient_sums, &mass_sums, &sensor_sums, &force_sums, &viscous_sums, &mean_sums, &power_sums,
+        &velocity_gradient, &reach, &corrected, &wave_number, &radius, &pairs.hourglass, &pairs.viscosity, &pairs.weak})
+    numbers += a->size();
+  const std::size_t words = pairs.rows.row.size() + pairs.rows.half.size() + pairs.rows.half_at.size() +
+                            4 * store.size() + near_surface.size() + active.size(); // id, fixed, touch, body
+  return 8 * (numbers + words) + 4 * (pairs.rows.index.size() + index_of_id.size());
 }
 
 #define OGIVE_INSTANTIATE(d)                                                                                 \
@@ -359,6 +386,7 @@ Sweep Solver<dim>::Implementation::rider_sweep_of(const Body &b, double *sums)
   template void  Solver<d>::Implementation::list_riders(const std::array<std::span<const double>, d> &,      \
                                                         const std::vector<std::array<std::size_t, 2>> &);    \
   template Sweep Solver<d>::Implementation::rider_sweep_of(const Body &, double *);                          \
+  template std::size_t Solver<d>::Implementation::bytes() const;                                             \
   template void  Solver<d>::Implementation::sort_particles();                                                \
   template void  Solver<d>::Implementation::rebuild_lists();                                                 \
   template void  Solver<d>::Implementation::size_pairs(Pairs &) const;                                       \

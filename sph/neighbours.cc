@@ -4,8 +4,13 @@
 #include "core/base/simd.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
+
+#ifdef __AVX512F__
+#include <immintrin.h>
+#endif
 
 namespace ogive::sph
 {
@@ -73,7 +78,7 @@ Cells<dim> sort_into_cells(const std::array<std::span<const double>, dim> &x,
   for (std::size_t k = 0; k < total; ++k)
     c.start[k + 1] += c.start[k];
   std::vector<std::uint32_t> next(c.start.begin(), c.start.end() - 1);
-  c.point.resize(points.size());
+  c.point.resize(points.size() + simd_width);
   // The filling lets whole registers be read past the last point.
   for (auto &a : c.x)
     a.assign(points.size() + simd_width, std::numeric_limits<double>::max() / 4);
@@ -87,11 +92,52 @@ Cells<dim> sort_into_cells(const std::array<std::span<const double>, dim> &x,
   return c;
 }
 
+/// What was found for one row; its room is kept from row to row.
+struct Found
+{
+  std::vector<std::uint32_t> index;
+  std::size_t                n = 0;
+
+  /// Room for `more` entries, and for whole registers to be written.
+  std::uint32_t *end_with_room(std::size_t more)
+  {
+    if (index.size() < n + more + simd_width)
+      index.resize(2 * (n + more + simd_width));
+    return index.data() + n;
+  }
+};
+
+/// Appends those of point[0 .. count), count at most a register, whose squared
+/// distance is less, but not `self`; returns how many.
+inline std::size_t keep_near(const VDouble &r2, double radius2, const std::uint32_t *point, std::size_t count,
+                             std::uint32_t self, std::uint32_t *to)
+{
+#if defined(__AVX512F__) && defined(__AVX512VL__)
+  if constexpr (simd_width == 8)
+  {
+    const __m256i      all    = _mm256_loadu_si256(reinterpret_cast<const __m256i *>(point));
+    const unsigned int inside = count < simd_width ? (1u << count) - 1 : 0xffu;
+    const auto         near   = static_cast<__mmask8>(
+      inside & _mm512_cmp_pd_mask(std::bit_cast<__m512d>(r2), _mm512_set1_pd(radius2), _CMP_LT_OQ) &
+      _mm256_cmpneq_epi32_mask(all, _mm256_set1_epi32(static_cast<int>(self))));
+    _mm256_storeu_si256(reinterpret_cast<__m256i *>(to), _mm256_maskz_compress_epi32(near, all));
+    return static_cast<std::size_t>(std::popcount(static_cast<unsigned int>(near)));
+  }
+#endif
+  const VMask near = r2 < radius2;
+  std::size_t kept = 0;
+  for (std::size_t l = 0; l < count && stdx::any_of(near); ++l)
+    if (near[l] && point[l] != self)
+      to[kept++] = point[l];
+  return kept;
+}
+
 /// Appends what lies within the radius among the sorted points [from, to).
 template <int dim>
 void scan_run(const Cells<dim> &c, const std::array<double, dim> &at, std::uint32_t from, std::uint32_t to,
-              double radius2, std::uint32_t self, NeighbourRows &rows)
+              double radius2, std::uint32_t self, Found &found)
 {
+  std::uint32_t *end = found.end_with_room(to - from), *const begin = end;
   for (std::uint32_t k = from; k < to; k += simd_width)
   {
     VDouble r2 = 0.;
@@ -100,14 +146,9 @@ void scan_run(const Cells<dim> &c, const std::array<double, dim> &at, std::uint3
       const VDouble dx = VDouble(c.x[d].data() + k, stdx::element_aligned) - at[d];
       r2 += dx * dx;
     }
-    const VMask near = r2 < radius2;
-    if (stdx::none_of(near))
-      continue;
-    const std::uint32_t end = std::min<std::uint32_t>(simd_width, to - k);
-    for (std::uint32_t l = 0; l < end; ++l)
-      if (near[l] && c.point[k + l] != self)
-        rows.index.push_back(c.point[k + l]);
+    end += keep_near(r2, radius2, c.point.data() + k, std::min<std::size_t>(simd_width, to - k), self, end);
   }
+  found.n += static_cast<std::size_t>(end - begin);
 }
 } // namespace
 
@@ -121,8 +162,10 @@ void append_rows_of(const std::array<std::span<const double>, dim> &x, std::size
     return;
   }
   const Cells<dim> c = sort_into_cells<dim>(x, points, radius);
+  Found            found;
   for (std::size_t i = first; i < last; ++i)
   {
+    found.n = 0;
     std::array<double, dim>                      at;
     std::array<std::array<std::int64_t, 2>, 3>   range{};
     for (int d = 0; d < dim; ++d)
@@ -141,9 +184,10 @@ void append_rows_of(const std::array<std::span<const double>, dim> &x, std::size
           base = (base + y) * c.n[0];
         if (range[0][0] <= range[0][1])
           scan_run<dim>(c, at, c.start[base + range[0][0]], c.start[base + range[0][1] + 1], radius * radius,
-                        static_cast<std::uint32_t>(i), rows);
+                        static_cast<std::uint32_t>(i), found);
       }
-    rows.pairs += rows.index.size() - rows.row.back();
+    rows.index.insert(rows.index.end(), found.index.data(), found.index.data() + found.n);
+    rows.pairs += found.n;
     while (rows.index.size() % simd_width != 0)
       rows.index.push_back(dummy);
     rows.row.push_back(rows.index.size());
@@ -167,6 +211,7 @@ void halve(NeighbourRows &rows, std::size_t n)
 {
   std::vector<std::uint32_t> before;
   rows.half.resize(n);
+  rows.half_at.assign(n + 1, 0);
   for (std::size_t i = 0; i < n; ++i)
   {
     before.clear();
@@ -179,6 +224,7 @@ void halve(NeighbourRows &rows, std::size_t n)
     // The filling counts as beyond, too: nothing comes of it.
     rows.half[i] = static_cast<std::size_t>(to - rows.index.data());
     std::copy(before.begin(), before.end(), to);
+    rows.half_at[i + 1] = rows.half_at[i] + padded(rows.half[i] - rows.row[i]);
   }
 }
 

@@ -19,6 +19,7 @@ struct NeighbourRows
   AlignedVector<std::uint32_t> index;
   std::size_t                  pairs = 0; ///< without the filling
   std::vector<std::size_t>     half;      ///< of halved rows: in row i, entries beyond i end at half[i]
+  std::vector<std::size_t>     half_at;   ///< where its registers stand with none between; one more than rows
 
   void clear()
   {
@@ -26,6 +27,7 @@ struct NeighbourRows
     index.clear();
     pairs = 0;
     half.clear();
+    half_at.clear();
   }
 };
 

@@ -68,8 +68,17 @@ StepStatus Solver<dim>::Implementation::advance_material(double dt)
   if (reference.on)
     sweep_all(&SweepFunctions::reference_gradient, gradient_sums, L::gradient_stride, 0);
   else
-    sweep_riders_too(&SweepFunctions::gradient, gradient_sums, L::gradient_stride, L::n_gradient,
-                     &SweepFunctions::half_gradient);
+  {
+    std::vector<char> awake;
+    if (rest.on)
+    {
+      awake = who_sees(rest.changed);
+      for (std::size_t k = 0; k < awake.size(); ++k)
+        awake[k] |= rest.bound[k];
+      std::fill(rest.changed.begin(), rest.changed.end(), 0);
+    }
+    sweep_riders_too(&SweepFunctions::gradient, gradient_sums, L::gradient_stride, L::n_gradient, &awake);
+  }
   if (summation)
     sum_masses();
   if (dt > 0)
@@ -133,7 +142,7 @@ StepStatus Solver<dim>::Implementation::advance_material(double dt)
       {
         double      *record = &force_records[i * L::force_stride];
         record[L::sound]  = points.sound_speed[i] * (rides || seam_pairs(body, i) ? body.seam_hourglass : 1.) * shared(i);
-        record[L::damage] = points.damage[i];
+        record_damage[i] = points.damage[i];
         broken += points.damage[i] >= 1 && !rides;
         if (reference.on)
         {
@@ -189,7 +198,8 @@ void Solver<dim>::Implementation::energy(double kick)
     to[L::weight] = share(g) * from[L::weight];
     to[L::last_p] = ghosts.turn[g] * from[L::last_p];
   }
-  sweep_all(&SweepFunctions::energy, power_sums, L::powers_stride, 3, &SweepFunctions::half_energy);
+  const auto awake = rest.on ? blocks_with(energy_records, L::energy_stride, L::v) : std::vector<char>();
+  sweep_all(&SweepFunctions::energy, power_sums, L::powers_stride, 3, &SweepFunctions::half_energy, &awake);
   add_power_at_seam(true, kick);
   for (const auto power : {&SweepFunctions::artificial_stress_power, &SweepFunctions::viscous_power,
                            &SweepFunctions::correction_power, &SweepFunctions::weak_power})

@@ -12,6 +12,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <ctime>
 
 namespace ogive::sph
 {
@@ -190,10 +191,12 @@ StepStatus Solver<dim>::Implementation::arrive(const TimeStep &t)
   const bool uneven = is_uneven();
   if (uneven || lists_are_stale())
   {
+    const auto start = std::clock();
     share_out(uneven);
     sort_particles();
     rebuild_lists();
     surface_stale = true;
+    diagnostics.rebuild_s += static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   }
   touch_walls();
   store.swept_density     = store.points.density;
@@ -383,6 +386,7 @@ Diagnostics Solver<dim>::diagnostics() const
 {
   Diagnostics d = self_->diagnostics;
   d.pairs       = static_cast<std::size_t>(self_->ranks.sum(static_cast<std::int64_t>(d.pairs)));
+  d.bytes       = self_->bytes();
   return d;
 }
 

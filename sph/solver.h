@@ -61,6 +61,11 @@ struct Diagnostics
   std::size_t   halo      = 0; ///< particles of other ranks that its pairs need
   double        imbalance = 1; ///< most over mean counted work of a rank (sph/migrate.cc), when last looked at
   std::uint64_t migrated  = 0; ///< particles that went from this rank to another
+  double        rebuild_s = 0; ///< processor time of the rebuilds within steps so far, s
+  std::size_t   bytes     = 0; ///< held for the particles, by vector sizes
+  /// Rows of sweeps that may be left out where nothing changes (SphOptions::quiescent_skip),
+  /// and those of them that were, so far.
+  std::uint64_t rows = 0, rows_skipped = 0;
 };
 
 /// Smoothed particle hydrodynamics of solids, total set of bodies of a scene.

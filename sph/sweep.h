@@ -18,9 +18,9 @@ struct Layout
   /// Motion: all that the gradient needs.
   static constexpr int x = 0, v = dim, weight = 2 * dim, density = 2 * dim + 1, n_motion = 2 * dim + 2;
   /// Force: motion, then P, sound speed (with the shock share, see half/half.h, where
-  /// sweeps are joint), the symmetric gradient, damage.
-  static constexpr int         p = n_motion, sound = p + dim * dim, rate = sound + 1, damage = rate + n_sym;
-  static constexpr int         n_force      = damage + 1;
+  /// sweeps are joint), the symmetric gradient. In space that is three lines: an even
+  /// number would leave most of the first-level cache's sets without a first line.
+  static constexpr int         p = n_motion, sound = p + dim * dim, rate = sound + 1, n_force = rate + n_sym;
   static constexpr std::size_t force_stride = padded(n_force);
   /// Correction: x, the weak viscous acceleration, volume, kappa = rho/shepard;
   /// the wide one also h_c.
@@ -107,8 +107,9 @@ struct Sweep
   std::size_t          begin = 0, end = 0; ///< owned particles
   const std::size_t   *row   = nullptr;
   const std::uint32_t *index = nullptr;
-  const std::size_t   *half  = nullptr; ///< see NeighbourRows, where sweeps take each pair once
+  const std::size_t   *half = nullptr, *half_at = nullptr; ///< see NeighbourRows, where sweeps take each pair once
   const double        *force_records      = nullptr; ///< motion and force
+  const double        *damage             = nullptr; ///< by record
   const double        *viscous_records    = nullptr;
   const double        *sensor_records     = nullptr;
   const double        *stress_records     = nullptr;
@@ -127,7 +128,7 @@ struct Sweep
   double     *pair_hourglass = nullptr, *pair_viscosity = nullptr, *pair_weak = nullptr;
   std::size_t n_entries = 0;
   /// 0 where nobody asks for the numbers: all go to one register's worth of room.
-  std::size_t viscosity_step = 0, weak_step = 0;
+  std::size_t hourglass_step = 1, viscosity_step = 0, weak_step = 0;
 
   double h = 0, spacing = 0, alpha = 0, beta = 0, hourglass = 0;
   double support   = 1; ///< h_c/h of the correction
@@ -157,7 +158,7 @@ struct SweepFunctions
   Function weak_power              = nullptr; ///< of pair_weak
   Function joint_force = nullptr; ///< force and viscous in one (half/forces.h), directed
   /// Each pair once (half/).
-  Function half_gradient = nullptr, half_force = nullptr, half_correction = nullptr, half_energy = nullptr;
+  Function half_force = nullptr, half_energy = nullptr;
 };
 
 /// Names as in SphOptions.

@@ -144,7 +144,10 @@ double Solver<dim>::Implementation::shock_share(const Body &b, std::size_t i, co
   if (o.shock_split == "none" || !(p.divergence() < 0))
     return 0;
   const double *sums = &sensor_sums[i * S::sums_stride];
-  Unevenness    u{sums[S::jump], sums[S::size], shares.weight / std::pow(b.spacing, dim),
+  double        cell = 1;
+  for (int a = 0; a < dim; ++a)
+    cell *= b.spacing;
+  Unevenness    u{sums[S::jump], sums[S::size], shares.weight / cell,
                o.split_ratio * shares.offset, 0, 0};
   if (o.shock_split == "curvature")
   {

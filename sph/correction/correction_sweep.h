@@ -19,7 +19,7 @@ inline void over_correction_records(const Sweep &s, std::size_t i, F &&f)
     load_records<n_fields>(s.correction_records, stride, s.index + p, j);
     for (int a = 0; a < dim; ++a)
       r2 += (own[L::x + a] - j[L::x + a]) * (own[L::x + a] - j[L::x + a]);
-    f(p, j, VDouble(stdx::sqrt(r2)));
+    f(p, j, VDouble(r2 * reciprocal_root(VDouble(r2 + 1e-300))));
   }
 }
 } // namespace detail

@@ -21,7 +21,12 @@ template <int dim, class Kernel>
     const double *own_stress = s.force_records + i * L::force_stride + L::p;
     const double *own_da     = s.correction_records + i * L::correction_stride;
     const HalfRow row(s, i);
+    ask_ahead<1>(s, i, s.energy_records, L::energy_stride);
+    ask_ahead<1>(s, i, s.correction_records, L::correction_stride);
+    ask_ahead<1>(s, i, s.force_records + before, L::force_stride);
+    ask_ahead<1>(s, i, s.sums, L::powers_stride);
     VDouble       sum[L::powers_stride];
+#pragma GCC unroll 32
     for (auto &a : sum)
       a = 0.;
     for (std::size_t p = row.begin; p < row.end; p += simd_width)
@@ -55,13 +60,15 @@ template <int dim, class Kernel>
       load_records<2 * dim + 2>(s.correction_records, L::correction_stride, s.index + p, c);
       for (int a = 0; a < dim; ++a)
         dot += (own_da[L::da + a] - c[L::da + a]) * dv[a];
+      const std::size_t q     = p - row.begin + s.half_at[i];
       const VDouble weak      = row.mine(p, k(own_da, c, r)) * dot;
-      const VDouble viscous   = weak + VDouble(s.pair_viscosity + s.viscosity_step * p, stdx::vector_aligned) * vx;
-      const VDouble hourglass = VDouble(s.pair_hourglass + p, stdx::vector_aligned) * vx;
+      const VDouble viscous   = weak + VDouble(s.pair_viscosity + s.viscosity_step * q, stdx::vector_aligned) * vx;
+      const VDouble hourglass = VDouble(s.pair_hourglass + q, stdx::vector_aligned) * vx;
       sum[L::stress_power] -= (j[L::weight] * g) * power_i;
       sum[L::viscous_power] -= viscous;
       sum[L::hourglass_power] -= hourglass;
       VDouble pair[L::powers_stride];
+#pragma GCC unroll 32
       for (auto &a : pair)
         a = 0.;
       pair[L::stress_power]    = -(own[L::weight] * g) * power_j;

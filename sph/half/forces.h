@@ -16,7 +16,7 @@ template <int dim, class Kernel, bool limited, bool damage, bool half>
 [[gnu::flatten]] void joint_force_sweep(const Sweep &s)
 {
   using L                = Layout<dim>;
-  constexpr int n_fields = damage ? L::n_force : L::n_force - 1, n_sums = L::n_joint;
+  constexpr int n_fields = L::n_force, n_sums = L::n_joint;
   const KernelAt<Kernel, dim> kernel(s.h);
   const double z = .25 * s.hourglass * s.h, soft = .01 * s.h * s.h, half_alpha = .5 * s.alpha;
   for (std::size_t i = s.begin; i < s.end; ++i)
@@ -25,8 +25,14 @@ template <int dim, class Kernel, bool limited, bool damage, bool half>
     double        c_i, share_i;
     SoundAndShare::unpack(own[L::sound], c_i, share_i);
     VDouble sum[L::forces_stride];
+#pragma GCC unroll 32
     for (auto &a : sum)
       a = 0.;
+    if constexpr (half)
+    {
+      ask_ahead<3>(s, i, s.force_records, L::force_stride);
+      ask_ahead<1>(s, i, s.sums, L::forces_stride);
+    }
     const std::size_t last = half ? s.half[i] : s.row[i + 1];
     for (std::size_t p = s.row[i]; p < last; p += simd_width)
     {
@@ -63,7 +69,7 @@ template <int dim, class Kernel, bool limited, bool damage, bool half>
       }
       VDouble rate = (z * g) * (c2 * rho2) * (inv_r * inv_r);
       if constexpr (damage)
-        rate *= (1. - own[L::damage]) * (1. - j[L::damage]);
+        rate *= (1. - s.damage[i]) * (1. - load_numbers(s.damage, s.index + p));
       VDouble hourglass = rate * (vx - .5 * (gi + gj));
       hourglass         = select(hourglass * vx > 0., VDouble(0.), hourglass);
 
@@ -78,11 +84,13 @@ template <int dim, class Kernel, bool limited, bool damage, bool half>
       const VDouble direct = share * scale * mu * (s.beta * mu - ac);
       const VDouble weak   = (1. - share) * scale * weak_mu * (s.beta * weak_mu - ac);
       const VDouble damping = masses * r2 * ((ac - 2. * s.beta * mu) * (2. * s.h * inverse));
-      hourglass.copy_to(s.pair_hourglass + p, stdx::vector_aligned);
-      direct.copy_to(s.pair_viscosity + s.viscosity_step * p, stdx::vector_aligned);
+      const std::size_t q = half ? p - s.row[i] + s.half_at[i] : p;
+      hourglass.copy_to(s.pair_hourglass + s.hourglass_step * q, stdx::vector_aligned);
+      direct.copy_to(s.pair_viscosity + s.viscosity_step * q, stdx::vector_aligned);
 
       VDouble       pair[L::forces_stride];
       const VDouble central = hourglass + direct;
+#pragma GCC unroll 32
       for (auto &a : pair)
         a = 0.;
       for (int a = 0; a < dim; ++a)
@@ -91,10 +99,12 @@ template <int dim, class Kernel, bool limited, bool damage, bool half>
         pair[L::weak_sum + a] = weak * dx[a];
       }
       pair[L::damping] = damping * (s.weak_share + (s.direct_share - s.weak_share) * share) - s.hourglass_share * (rate * r2);
+#pragma GCC unroll 32
       for (int f = 0; f < n_sums; ++f)
         sum[f] += pair[f];
       if constexpr (half)
       {
+#pragma GCC unroll 32
         for (int f = 0; f < n_sums; ++f)
           if (f != L::damping)
             pair[f] = -pair[f];

@@ -28,6 +28,26 @@ struct HalfRow
   }
 };
 
+/// Rows between a row and the one whose neighbours are asked for meanwhile.
+inline constexpr std::size_t rows_ahead = 4;
+
+/// Asks for `lines` lines of the neighbours' records of a row to come. Most are
+/// in a cache; the others, beyond a bend of the curve, come from far.
+template <int lines>
+inline void ask_ahead(const Sweep &s, std::size_t i, const double *records, std::size_t stride)
+{
+  const std::size_t row = i + rows_ahead;
+  if (row >= s.end)
+    return;
+  for (std::size_t p = s.row[row]; p < s.half[row]; ++p)
+  {
+    const char *at = reinterpret_cast<const char *>(records + s.index[p] * stride);
+#pragma GCC unroll 4
+    for (int l = 0; l < lines; ++l)
+      __builtin_prefetch(at + 64 * l);
+  }
+}
+
 /// Sound speed and shock share in one number, so that a record of the forces is
 /// three lines long: c in whole units, half of the share in what is left. They come
 /// back within half a unit, 8e-8 of 50 m/s, and within 3e-7 up to 10 km/s; pair

@@ -119,12 +119,14 @@ TEST(Force, PairIsAntisymmetricToTheBit)
         cloud.x[i] = .6 * h * Vec3(u(random), u(random), u(random));
         cloud.v[i] = 100 * Vec3(u(random), u(random), u(random));
       }
+      std::array<double, 3> damage{}; // the last belongs to the filling
       cloud.pack(standard);
+      cloud.sweep.damage = damage.data();
       for (int i = 0; i < 2; ++i)
       {
         cloud.set_p(i, 1e8 * Mat3::NullaryExpr([&](auto, auto) { return u(random); }));
         cloud.set_rate(i, 1e3 * Mat3::NullaryExpr([&](auto, auto) { return u(random); }));
-        cloud.force[i * Layout<3>::force_stride + Layout<3>::damage] = std::abs(u(random));
+        damage[i] = std::abs(u(random));
       }
       choose_sweeps<3>({.standard = standard, .damage = true}).force(cloud.with(cloud.force_sums));
       EXPECT_GT(cloud.force_on(0).norm(), 0);
