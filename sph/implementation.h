@@ -57,7 +57,8 @@ struct Rest
   bool                       on = false;
   std::vector<std::size_t>   row{0}; ///< block k sees the blocks sees[row[k] .. row[k+1])
   std::vector<std::uint32_t> sees;
-  std::vector<char>          bound;   ///< has pairs with images of walls, riders or other ranks: swept always
+  std::vector<char>          bound;   ///< has pairs with images of walls or riders: swept always
+  std::vector<char>          has_guests; ///< has pairs with particles of other ranks: the same
   std::vector<char>          changed; ///< since the last gradient sweep
 };
 
@@ -126,7 +127,8 @@ struct Solver<dim>::Implementation
   Territory<dim> territory;
   std::size_t    cut_at = 0; ///< particles of all ranks when it was cut
   std::uint64_t  steps  = 0;
-  Rest              rest;
+
+  Rest           rest;
 
   // Follow from the store.
   Halo                                    halo;
@@ -255,8 +257,6 @@ struct Solver<dim>::Implementation
   double most_moved(std::size_t first, std::size_t last, const PerAxis<double> &drifted, const PerAxis<double> &apart) const;
 
   // rest.cc
-  /// Records that blocks see: of own particles, on several ranks those of guests too.
-  std::size_t       n_sighted() const { return store.size() + (ranks.alone() ? 0 : ghosts.size()); }
   void              find_blocks(); ///< on fresh lists
   std::vector<char> who_sees(const std::vector<char> &blocks) const;
   /// Blocks that see a vector other than zero in field `first` of the records.

@@ -284,7 +284,8 @@ template <int dim>
 void Solver<dim>::Implementation::reflect_forces()
 {
   exchange(force_records, L::force_stride, L::n_motion, L::force_stride);
-  exchange(record_damage, 1, 0, 1);
+  if (std::any_of(bodies.begin(), bodies.end(), [](const Body &b) { return b.material->parameters().damage.law != "none"; }))
+    exchange(record_damage, 1, 0, 1);
   for (std::size_t g = 0; g < ghosts.size(); ++g)
   {
     const double *from = &force_records[ghosts.parent[g] * L::force_stride];

@@ -9,8 +9,7 @@
 /// their parents. Where no record that the gradient reads has changed by a bit since the last
 /// sweep, the sums of that sweep stand; where all that a block sees has no
 /// velocity, or no viscous force to correct, energy and correction have nothing to
-/// add. A block that sees particles of other ranks is always swept for its
-/// gradients. So the result is that of all sweeps, to the bit. Pair forces are
+/// add. So the result is that of all sweeps, to the bit. Pair forces are
 /// swept always: their sums are of both ends, and hold the damping rates.
 namespace ogive::sph
 {
@@ -21,12 +20,12 @@ void Solver<dim>::Implementation::find_blocks()
   if (!rest.on)
     return;
   const std::size_t n = store.size(), n_blocks = (n + Rest::block - 1) / Rest::block;
-  const std::size_t n_seen = (n_sighted() + Rest::block - 1) / Rest::block;
   rest.row.assign(1, 0);
   rest.sees.clear();
-  rest.bound.assign(n_seen, 0);
-  rest.changed.assign(n_seen, 1);
-  std::vector<std::size_t> seen(n_seen, n_blocks);
+  rest.bound.assign(n_blocks, 0);
+  rest.has_guests.assign(n_blocks, 0);
+  rest.changed.assign(n_blocks, 1);
+  std::vector<std::size_t> seen(n_blocks, n_blocks);
   for (std::size_t k = 0; k < n_blocks; ++k)
   {
     for (std::size_t i = k * Rest::block; i < std::min(n, (k + 1) * Rest::block); ++i)
@@ -36,9 +35,13 @@ void Solver<dim>::Implementation::find_blocks()
         const std::size_t j = pairs.rows.index[p];
         if (j == n + ghosts.size()) // the filling
           continue;
-        const std::size_t who   = j < n ? j : ghosts.parent[j - n];
+        const std::size_t who = j < n ? j : ghosts.parent[j - n];
+        if (who >= n) // of another rank, where nobody watches it for this one
+        {
+          rest.has_guests[k] = 1;
+          continue;
+        }
         const std::size_t other = who / Rest::block;
-        rest.bound[k] |= who >= n;
         if (seen[other] == k)
           continue;
         seen[other] = k;
@@ -57,7 +60,7 @@ void Solver<dim>::Implementation::find_blocks()
 template <int dim>
 std::vector<char> Solver<dim>::Implementation::who_sees(const std::vector<char> &what) const
 {
-  std::vector<char> awake(what.size(), 0);
+  std::vector<char> awake = rest.has_guests;
   for (std::size_t k = 0; k + 1 < rest.row.size(); ++k)
     for (std::size_t p = rest.row[k]; p < rest.row[k + 1] && !awake[k]; ++p)
       awake[k] = what[rest.sees[p]];
@@ -68,8 +71,8 @@ template <int dim>
 std::vector<char> Solver<dim>::Implementation::blocks_with(const AlignedVector<double> &records, std::size_t stride,
                                                            std::size_t first) const
 {
-  std::vector<char> any((n_sighted() + Rest::block - 1) / Rest::block, 0);
-  for (std::size_t i = 0; i < n_sighted(); ++i)
+  std::vector<char> any((store.size() + Rest::block - 1) / Rest::block, 0);
+  for (std::size_t i = 0; i < store.size(); ++i)
     for (int a = 0; a < dim; ++a)
       any[i / Rest::block] |= records[i * stride + first + a] != 0;
   return who_sees(any);
