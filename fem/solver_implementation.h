@@ -161,7 +161,6 @@ struct Solver<dim>::Implementation
   void       build(std::vector<BodyMesh<dim>>);
   std::vector<std::uint32_t> wall_nodes(const std::vector<BodyMesh<dim>> &) const;
   void       review_erosion();
-  void       find_shown();
   /// After state was taken back or read.
   void state_was_changed()
   {
