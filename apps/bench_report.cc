@@ -116,7 +116,7 @@ std::string describe(const BenchReport &r, const std::vector<BenchReport> &kept)
                   1e-6 * then->per_second, kept.back().commit.c_str());
   }
   for (const auto &[name, value] : r.figures)
-    out += text("%-20s %.4g\n", name.c_str(), value);
+    out += text("%-32s %.4g\n", name.c_str(), value);
   if (!kept.empty() && kept.back().processor != r.processor)
     out += "the kept result is of another processor: " + kept.back().processor + "\n";
   return out;

@@ -2,6 +2,7 @@
 #include "fem/bench.h"
 
 #include "core/base/error.h"
+#include "core/base/machine_limits.h"
 #include "fem/mesh.h"
 #include "fem/solver.h"
 
@@ -17,8 +18,9 @@ BenchResult bench(unsigned int n, std::size_t steps, std::shared_ptr<const mater
   body.name        = "block";
   body.spacing     = 1e-3;
   body.shape.upper = Vec3::Constant(n * body.spacing);
-  auto mesh        = make_mesh<3>(body, scene, 0, std::move(material));
-  mesh.element = element;
+  const std::size_t before = bytes_in_use();
+  auto              mesh   = make_mesh<3>(body, scene, 0, std::move(material));
+  mesh.element             = element;
   // Strain rates of some 1e4 /s: plastic within microseconds.
   const double rate = 1e4, middle = .5 * n * body.spacing;
   for (std::size_t a = 0; a < mesh.n_nodes(); ++a)
@@ -47,6 +49,7 @@ BenchResult bench(unsigned int n, std::size_t steps, std::shared_ptr<const mater
   }
   result.seconds  = double(std::clock() - start) / CLOCKS_PER_SEC;
   result.elements = solver.size();
+  result.bytes_per_element = static_cast<double>(bytes_in_use() - before) / static_cast<double>(solver.size());
   result.element_steps_per_second = double(solver.updates()) / result.seconds;
   return result;
 }

@@ -14,6 +14,7 @@ struct BenchResult
   std::size_t elements = 0, steps = 0;
   double      seconds                  = 0;
   double      element_steps_per_second = 0;
+  double      bytes_per_element        = 0; ///< held, nodes included
 };
 
 /// Runs `steps` whole steps of an n x n x n block of hexes (input::Body::element)

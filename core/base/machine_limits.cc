@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <ctime>
+#include <malloc.h>
 
 namespace ogive
 {
@@ -63,6 +64,12 @@ double multiply_adds()
   return best;
 }
 } // namespace
+
+std::size_t bytes_in_use()
+{
+  const struct mallinfo2 info = mallinfo2();
+  return info.uordblks + info.hblkhd;
+}
 
 MachineLimits measure_limits()
 {
