@@ -103,12 +103,13 @@ double Solver<dim>::Implementation::own_work() const
   return work;
 }
 
-/// Each interval: whether the work is so uneven that space is to be cut anew.
+/// After the first step, since the first cut knew no pairs, and each interval: whether the
+/// work is so uneven that space is to be cut anew.
 template <int dim>
 bool Solver<dim>::Implementation::is_uneven()
 {
   const auto interval = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(parameters.parallel.interval));
-  if (ranks.alone() || reference.on || steps % interval != 0)
+  if (ranks.alone() || reference.on || (steps != 1 && steps % interval != 0))
     return false;
   const auto   all  = ranks.gather_one(own_work());
   const double mean = std::accumulate(all.begin(), all.end(), 0.) / ranks.size();
