@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/materials/started_material.h"
 #include "sph/implementation.h"
 
 #include <algorithm>
@@ -60,6 +61,7 @@ std::vector<std::vector<std::int64_t>> Solver<dim>::Implementation::take_own(std
   {
     auto       &f    = filled[k];
     std::size_t kept = 0;
+    std::vector<std::size_t> points;
     for (std::size_t i = 0; i < f.x.size(); ++i)
       if (territory.at(f.x[i], ranks.rank()) == ranks.rank())
       {
@@ -68,7 +70,10 @@ std::vector<std::vector<std::int64_t>> Solver<dim>::Implementation::take_own(std
         f.mass[kept] = f.mass[i];
         ids[k][kept] = ids[k][i];
         ++kept;
+        points.push_back(i);
       }
+    if (const auto started = std::dynamic_pointer_cast<const materials::StartedMaterial>(f.material))
+      f.material = started->of_points(points);
     f.x.resize(kept);
     f.v.resize(kept);
     f.mass.resize(kept);
@@ -103,13 +108,12 @@ double Solver<dim>::Implementation::own_work() const
   return work;
 }
 
-/// After the first step, since the first cut knew no pairs, and each interval: whether the
-/// work is so uneven that space is to be cut anew.
+/// Each interval: whether the work is so uneven that space is to be cut anew.
 template <int dim>
 bool Solver<dim>::Implementation::is_uneven()
 {
   const auto interval = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(parameters.parallel.interval));
-  if (ranks.alone() || reference.on || (steps != 1 && steps % interval != 0))
+  if (ranks.alone() || reference.on || steps % interval != 0)
     return false;
   const auto   all  = ranks.gather_one(own_work());
   const double mean = std::accumulate(all.begin(), all.end(), 0.) / ranks.size();

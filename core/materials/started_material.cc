@@ -19,6 +19,14 @@ StartedMaterial::StartedMaterial(std::shared_ptr<const Material> within, std::ve
   }
 }
 
+std::shared_ptr<const StartedMaterial> StartedMaterial::of_points(const std::vector<std::size_t> &points) const
+{
+  std::vector<StartState> states;
+  for (const std::size_t i : points)
+    states.push_back(states_.at(i));
+  return std::make_shared<const StartedMaterial>(within_, std::move(states));
+}
+
 void StartedMaterial::initialise(Points &points, std::size_t begin, std::size_t end) const
 {
   require(end - begin == states_.size(), "one state a point");

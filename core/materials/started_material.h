@@ -24,6 +24,9 @@ public:
   /// InputError (without a place) where no heat makes such a pressure.
   StartedMaterial(std::shared_ptr<const Material>, std::vector<StartState>);
 
+  /// The same for some of the points, those that are named, in their order.
+  std::shared_ptr<const StartedMaterial> of_points(const std::vector<std::size_t> &) const;
+
   void   initialise(Points &, std::size_t begin, std::size_t end) const override;
   Status update(Points &p, std::size_t begin, std::size_t end, const Increments &inc,
                 std::size_t &bad) const override

@@ -64,7 +64,8 @@ double FootRadius::measure(const Sample &s, double)
       const Vec3   arm    = at(s.x, i) - base_;
       const double a      = arm.dot(first), b = arm.dot(second);
       const double turn   = std::atan2(b, a) / (2 * std::numbers::pi) + .5;
-      const auto   sector = std::min(static_cast<std::size_t>(turn * sectors), sectors - 1);
+      // Lattices have points on the very edges of sectors: rounding must not choose theirs.
+      const auto sector = static_cast<std::size_t>(turn * sectors + 1e-9) % sectors;
       reach[sector]       = std::max(reach[sector], std::hypot(a, b) + half_cell(s, i, (a * first + b * second).stableNormalized()));
     }
   const auto   seen = std::count_if(reach.begin(), reach.end(), [](double r) { return r > 0; });

@@ -32,7 +32,8 @@ std::string unit_of(const std::string &column)
 }
 
 /// What differences of a column are measured by: energies lend and borrow from
-/// each other, and components of a vector have one length.
+/// each other, components of a vector have one length, and momenta that are zero but for
+/// rounding are measured by sqrt(2 m K). What has no unit is relative already.
 std::map<std::string, double> scales_by_unit(const Numbers &n)
 {
   std::map<std::string, double> scales;
@@ -40,12 +41,16 @@ std::map<std::string, double> scales_by_unit(const Numbers &n)
     for (const double v : n.history[c])
       if (std::isfinite(v))
         scales[unit_of(n.columns[c])] = std::max(scales[unit_of(n.columns[c])], std::abs(v));
+  if (scales.contains("[N s]"))
+    scales["[N s]"] = std::max(scales["[N s]"], std::sqrt(2 * scales["[kg]"] * scales["[J]"]));
   return scales;
 }
 
 double column_scale(const Numbers &n, std::size_t c, const std::map<std::string, double> &by_unit)
 {
   const std::string unit = unit_of(n.columns[c]);
+  if (unit == "[1]")
+    return 1;
   if (unit != "[-]" && unit != "[s]")
     return by_unit.at(unit);
   double scale = 0;
@@ -77,7 +82,10 @@ Numbers numbers_of(const std::string &directory)
   Numbers              n;
   n.ranks = s.at("ranks").get<int>();
   for (const auto &[name, quantity] : s.at("quantities").items())
+  {
     n.quantities.emplace_back(name, number(quantity.at("value")));
+    n.scales.push_back(quantity.at("unit") == "1" ? 1. : std::abs(n.quantities.back().second));
+  }
   for (const auto &[name, check] : s.at("checks").items())
     if (!check.is_object())
       n.checks.emplace_back(name, number(check));
@@ -107,7 +115,7 @@ Difference difference(const Numbers &n, const Numbers &reference)
     for (std::size_t k = 0; k < n.quantities.size(); ++k)
     {
       const auto &[name, value] = reference.quantities[k];
-      d.quantities.take(relative(n.quantities[k].second, value, std::abs(value)), name);
+      d.quantities.take(relative(n.quantities[k].second, value, reference.scales[k]), name);
     }
     for (std::size_t k = 0; k < n.checks.size(); ++k)
       d.checks.take(relative(n.checks[k].second, reference.checks[k].second, 1.), reference.checks[k].first);

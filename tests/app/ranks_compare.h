@@ -16,6 +16,7 @@ struct Numbers
 
   int                              ranks = 0;
   Named                            quantities, checks;
+  std::vector<double>              scales; ///< of quantities: their size, 1 of those without a unit
   std::vector<std::string>         columns;
   std::vector<std::vector<double>> history; ///< by column
 };
@@ -31,7 +32,7 @@ struct Largest
   void        take(double difference, const std::string &name);
 };
 
-/// Relative differences: a quantity against its own size, a column of the history
+/// Relative differences: a quantity against its own size (1 without a unit), a column of the history
 /// against its greatest magnitude, of energies against that of all of them, of
 /// momenta too. What is infinite or not a number must be so in both, else the
 /// difference is infinite. Drifts are relative already: their plain difference.

@@ -68,11 +68,11 @@ bool starts_with_any(const std::string &text, const std::vector<std::string> &pr
 }
 
 /// The standard library's headers have neither a dot nor a slash; the vector
-/// type and the terminal of POSIX are the two that core/base adds.
+/// type, the terminal of POSIX and what the heap holds are what core/base adds.
 bool plain_header(const std::string &name)
 {
   return name.find_first_of("./") == std::string::npos || name == "experimental/simd" || name == "unistd.h" ||
-         name.starts_with("Eigen/");
+         name == "malloc.h" || name.starts_with("Eigen/");
 }
 
 std::string longest_prefix(const std::string &file)
