@@ -57,15 +57,27 @@ double FootRadius::measure(const Sample &s, double)
   // Mean over the sectors that hold points: the rim of a coarse lattice or mesh
   // is not round, and its farthest point alone overstates it.
   const Vec3                 first = direction().unitOrthogonal(), second = direction().cross(first);
+  // Points on the axes belong to the quadrant that the others are in: rounding must not
+  // give those of a quarter sectors of their own.
+  constexpr std::size_t in_quadrant = sectors / 4;
+  constexpr double      on_edge     = 1e-9;
+  Vec3                  turned      = Vec3::Ones();
+  for (int k = 0; k < 2; ++k)
+  {
+    bool positive = false;
+    for (std::size_t i = 0; i < s.mass.size(); ++i)
+      positive = positive || (at(s.x, i) - base_).dot(k == 0 ? first : second) > on_edge * e.length();
+    turned[k] = positive ? 1 : -1;
+  }
   std::array<double, sectors> reach{};
   for (std::size_t i = 0; i < s.mass.size(); ++i)
     if (const double height = along(s.x, i); height <= e.low + .1 * e.length())
     {
-      const Vec3   arm    = at(s.x, i) - base_;
-      const double a      = arm.dot(first), b = arm.dot(second);
-      const double turn   = std::atan2(b, a) / (2 * std::numbers::pi) + .5;
-      // Lattices have points on the very edges of sectors: rounding must not choose theirs.
-      const auto sector = static_cast<std::size_t>(turn * sectors + 1e-9) % sectors;
+      const Vec3   arm = at(s.x, i) - base_;
+      const double a = arm.dot(first), b = arm.dot(second), clear = -on_edge * e.length();
+      const auto   quadrant = static_cast<std::size_t>(turned[0] * a < clear) + 2 * static_cast<std::size_t>(turned[1] * b < clear);
+      const double within   = std::atan2(std::abs(b), std::abs(a)) / (.5 * std::numbers::pi) * in_quadrant;
+      const auto   sector   = quadrant * in_quadrant + std::min(static_cast<std::size_t>(within + on_edge), in_quadrant - 1);
       reach[sector]       = std::max(reach[sector], std::hypot(a, b) + half_cell(s, i, (a * first + b * second).stableNormalized()));
     }
   const auto   seen = std::count_if(reach.begin(), reach.end(), [](double r) { return r > 0; });

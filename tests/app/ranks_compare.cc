@@ -43,6 +43,10 @@ std::map<std::string, double> scales_by_unit(const Numbers &n)
         scales[unit_of(n.columns[c])] = std::max(scales[unit_of(n.columns[c])], std::abs(v));
   if (scales.contains("[N s]"))
     scales["[N s]"] = std::max(scales["[N s]"], std::sqrt(2 * scales["[kg]"] * scales["[J]"]));
+  if (scales.contains("[m]")) // a column may hold nothing but rounding: at a centimetre
+    scales["[m]"] = std::max(scales["[m]"], .01);
+  if (scales.contains("[N m s]")) // at a tenth of a metre, the size of what scenes hold
+    scales["[N m s]"] = std::max(scales["[N m s]"], .1 * scales["[N s]"]);
   return scales;
 }
 
@@ -84,7 +88,7 @@ Numbers numbers_of(const std::string &directory)
   for (const auto &[name, quantity] : s.at("quantities").items())
   {
     n.quantities.emplace_back(name, number(quantity.at("value")));
-    n.scales.push_back(quantity.at("unit") == "1" ? 1. : std::abs(n.quantities.back().second));
+    n.scales.push_back(quantity.at("unit") == "1" || name == "symmetry_error" ? 1. : std::abs(n.quantities.back().second));
   }
   for (const auto &[name, check] : s.at("checks").items())
     if (!check.is_object())
