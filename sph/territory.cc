@@ -44,7 +44,7 @@ int Territory<dim>::at(const std::array<double, dim> &x, int guess) const
   const auto beyond = [&](const Box &b) { // how far x lies outside
     double most = 0;
     for (int a = 0; a < dim; ++a)
-      most = std::max({most, x[a] - b.upper[a], x[a] > b.lower[a] ? 0. : std::numeric_limits<double>::min() + b.lower[a] - x[a]});
+      most = std::max({most, x[a] - b.upper[a], x[a] > b.lower[a] ? 0. : std::max(std::numeric_limits<double>::min(), b.lower[a] - x[a])});
     return most;
   };
   if (boxes.empty())

@@ -2,6 +2,9 @@
 // Snapshots and checkpoints of particles on several ranks.
 #include "ranked.h"
 #include "sph/store.h"
+#include "sph/territory.h"
+
+#include <cmath>
 
 namespace
 {
@@ -209,5 +212,17 @@ TEST(RankedState, SlavesAndStepsInParts)
   const std::vector<std::size_t> order{0, 1, 2, 3, 4};
   expect_near(alone, order, together, order, 1e-8, "forces of slaves");
   EXPECT_NEAR(error_a, error_b, 1e-9 * std::abs(error_a));
+}
+
+/// A layer of a lattice may lie on a cut to the bit: its particles are one rank's.
+TEST(Territory, GivesAPointOnACutToOneRank)
+{
+  Territory<1> t;
+  t.boxes = {{{-1.}, {.0132}}, {{.0132}, {1.}}};
+  t.find_overlaps();
+  EXPECT_TRUE(t.disjoint);
+  for (const int guess : {0, 1})
+    EXPECT_EQ(t.at({.0132}, guess), 0);
+  EXPECT_EQ(t.at({std::nextafter(.0132, 1)}, 0), 1);
 }
 } // namespace
